@@ -1,0 +1,71 @@
+package dct.core.geometry;
+
+/**
+ * Why points are not a simple polygon, or not usable sites: the first defect found.
+ *
+ * @param kind what is wrong
+ * @param first a vertex; for {@link Kind#CROSSING} and {@link Kind#OVERLAP} the edge from this
+ *     vertex to the next
+ * @param second the other vertex, or the other edge, as above; equal to {@code first} where the
+ *     defect has no second part
+ * @param x where to look: the crossing point (rounded), or the vertex
+ * @param y the y-coordinate of that place
+ * @param count the number of vertices, so that the edge after the last one can be named
+ */
+public record Defect(Kind kind, int first, int second, double x, double y, int count) {
+
+  /** The ways in which points can fail. */
+  public enum Kind {
+    /** Fewer than three vertices. */
+    TOO_FEW,
+    /** All vertices lie on one line. */
+    COLLINEAR,
+    /** Two vertices coincide. */
+    DUPLICATE,
+    /** The boundary turns back along itself at a vertex. */
+    SPIKE,
+    /** A vertex lies inside an edge that is not its own. */
+    TOUCH,
+    /** Two edges cross in their interiors. */
+    CROSSING,
+    /** Two edges share a whole segment. */
+    OVERLAP
+  }
+
+  /** One sentence for a person: what is wrong, where, and what would mend it. */
+  public String message() {
+    return switch (kind) {
+      case TOO_FEW -> count + (count == 1 ? " vertex" : " vertices") + "; three or more are needed";
+      case COLLINEAR -> "all vertices lie on one line; move at least one off it";
+      case DUPLICATE ->
+          "vertices v%d and v%d are both at %s; remove one of them"
+              .formatted(first, second, place());
+      case SPIKE ->
+          "the boundary turns back along itself at vertex v%d, %s; move or remove that vertex"
+              .formatted(first, place());
+      case TOUCH ->
+          "vertex v%d touches edge %s at %s; move it off the edge"
+              .formatted(first, edge(second), place());
+      case CROSSING ->
+          "edges %s and %s cross at %s; move a vertex of one of them"
+              .formatted(edge(first), edge(second), place());
+      case OVERLAP ->
+          "edges %s and %s overlap at %s; move a vertex of one of them"
+              .formatted(edge(first), edge(second), place());
+    };
+  }
+
+  private String place() {
+    return "(" + number(x) + ", " + number(y) + ")";
+  }
+
+  private static String number(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e15
+        ? Long.toString((long) value)
+        : Double.toString(value);
+  }
+
+  private String edge(int v) {
+    return "v" + v + "–v" + (v + 1) % count;
+  }
+}

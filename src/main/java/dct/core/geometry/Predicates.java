@@ -1,0 +1,144 @@
+package dct.core.geometry;
+
+/**
+ * The two geometric tests on which everything rests, decided exactly for every finite double.
+ *
+ * <p>Three stages, each taken only where the one before cannot decide: the determinant in floating
+ * point with a bound on its rounding error (the static filter of J. R. Shewchuk, <i>Adaptive
+ * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates</i>, 1997); the exact
+ * determinant as a sum of doubles ({@link Expansion}); and {@link java.math.BigDecimal} where an
+ * exponent is so extreme that such a sum could overflow or underflow. No tolerance anywhere.
+ */
+public final class Predicates {
+
+  /** Which stage decided; of interest to tests and to nobody else. */
+  enum Stage {
+    FILTER,
+    EXPANSION,
+    BIG_DECIMAL
+  }
+
+  private static final double EPSILON = 0x1p-53;
+  private static final double ORIENT_BOUND = (3 + 16 * EPSILON) * EPSILON;
+  private static final double IN_CIRCLE_BOUND = (10 + 96 * EPSILON) * EPSILON;
+
+  // Within these the filters' bounds hold although a product may have underflowed.
+  private static final double ORIENT_SMALLEST = 0x1p-900;
+  private static final double IN_CIRCLE_SMALLEST = 0x1p-400;
+  private static final double IN_CIRCLE_LARGEST_LIFT = 0x1p400;
+
+  // Coordinates of these magnitudes, and zero, keep every term of the fourth degree normal.
+  private static final double SMALLEST = 0x1p-200;
+  private static final double LARGEST = 0x1p200;
+
+  private Predicates() {}
+
+  /**
+   * The turn from a by b to c: positive if it is to the left (the triangle abc is
+   * counter-clockwise), negative if to the right, zero if the three lie on one line.
+   *
+   * @return −1, 0 or 1
+   */
+  public static int orient(double ax, double ay, double bx, double by, double cx, double cy) {
+    double left = (ax - cx) * (by - cy);
+    double right = (ay - cy) * (bx - cx);
+    double det = left - right;
+    double magnitude = Math.abs(left) + Math.abs(right);
+    if (Math.abs(det) > ORIENT_BOUND * magnitude && magnitude > ORIENT_SMALLEST) {
+      return det > 0 ? 1 : -1;
+    }
+    return orientExactly(ax, ay, bx, by, cx, cy);
+  }
+
+  /**
+   * Whether d lies inside the circle through a, b and c, which must be counter-clockwise: positive
+   * if inside, negative if outside, zero if on it. (For clockwise a, b, c the sign is reversed.)
+   *
+   * @return −1, 0 or 1
+   */
+  public static int inCircle(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    double adx = ax - dx;
+    double ady = ay - dy;
+    double bdx = bx - dx;
+    double bdy = by - dy;
+    double cdx = cx - dx;
+    double cdy = cy - dy;
+    double bc = bdx * cdy;
+    double cb = cdx * bdy;
+    double ca = cdx * ady;
+    double ac = adx * cdy;
+    double ab = adx * bdy;
+    double ba = bdx * ady;
+    double aLift = adx * adx + ady * ady;
+    double bLift = bdx * bdx + bdy * bdy;
+    double cLift = cdx * cdx + cdy * cdy;
+    double det = aLift * (bc - cb) + bLift * (ca - ac) + cLift * (ab - ba);
+    double magnitude =
+        aLift * (Math.abs(bc) + Math.abs(cb))
+            + bLift * (Math.abs(ca) + Math.abs(ac))
+            + cLift * (Math.abs(ab) + Math.abs(ba));
+    if (Math.abs(det) > IN_CIRCLE_BOUND * magnitude
+        && magnitude > IN_CIRCLE_SMALLEST
+        && aLift + bLift + cLift < IN_CIRCLE_LARGEST_LIFT) {
+      return det > 0 ? 1 : -1;
+    }
+    return inCircleExactly(ax, ay, bx, by, cx, cy, dx, dy);
+  }
+
+  /** The stage that decides {@link #orient} for these arguments. */
+  static Stage orientStage(double ax, double ay, double bx, double by, double cx, double cy) {
+    double left = (ax - cx) * (by - cy);
+    double right = (ay - cy) * (bx - cx);
+    double magnitude = Math.abs(left) + Math.abs(right);
+    if (Math.abs(left - right) > ORIENT_BOUND * magnitude && magnitude > ORIENT_SMALLEST) {
+      return Stage.FILTER;
+    }
+    return isModerate(ax, ay, bx, by, cx, cy) ? Stage.EXPANSION : Stage.BIG_DECIMAL;
+  }
+
+  private static int orientExactly(
+      double ax, double ay, double bx, double by, double cx, double cy) {
+    if (!isModerate(ax, ay, bx, by, cx, cy)) {
+      return BigPredicates.orient(ax, ay, bx, by, cx, cy);
+    }
+    Expansion left = Expansion.difference(ax, cx).times(Expansion.difference(by, cy));
+    Expansion right = Expansion.difference(ay, cy).times(Expansion.difference(bx, cx));
+    return left.minus(right).sign();
+  }
+
+  private static int inCircleExactly(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    if (!isModerate(ax, ay, bx, by, cx, cy, dx, dy)) {
+      return BigPredicates.inCircle(ax, ay, bx, by, cx, cy, dx, dy);
+    }
+    Expansion adx = Expansion.difference(ax, dx);
+    Expansion ady = Expansion.difference(ay, dy);
+    Expansion bdx = Expansion.difference(bx, dx);
+    Expansion bdy = Expansion.difference(by, dy);
+    Expansion cdx = Expansion.difference(cx, dx);
+    Expansion cdy = Expansion.difference(cy, dy);
+    Expansion a = lift(adx, ady).times(cross(bdx, bdy, cdx, cdy));
+    Expansion b = lift(bdx, bdy).times(cross(cdx, cdy, adx, ady));
+    Expansion c = lift(cdx, cdy).times(cross(adx, ady, bdx, bdy));
+    return a.plus(b).plus(c).sign();
+  }
+
+  private static Expansion lift(Expansion x, Expansion y) {
+    return x.times(x).plus(y.times(y));
+  }
+
+  private static Expansion cross(Expansion ux, Expansion uy, Expansion vx, Expansion vy) {
+    return ux.times(vy).minus(vx.times(uy));
+  }
+
+  private static boolean isModerate(double... coordinates) {
+    for (double c : coordinates) {
+      double magnitude = Math.abs(c);
+      if (magnitude > LARGEST || (magnitude < SMALLEST && magnitude != 0)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

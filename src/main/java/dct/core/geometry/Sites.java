@@ -1,0 +1,59 @@
+package dct.core.geometry;
+
+/**
+ * Point sites, all different: exact duplicates are merged into their first occurrence, once, here.
+ *
+ * <p>The sites keep the order in which they were entered; a merged duplicate has no number.
+ */
+public final class Sites {
+  private final Points points;
+  private final int merged;
+
+  private Sites(Points points, int merged) {
+    this.points = points;
+    this.merged = merged;
+  }
+
+  /** The different points among these, in O(n). */
+  public static Sites of(Points points) {
+    int[] order = PlaneOrder.byYThenX(points);
+    boolean[] duplicate = new boolean[order.length];
+    int merged = 0;
+    for (int k = 1; k < order.length; k++) {
+      // The order is stable, so that the first of equal points has the lowest number.
+      if (points.same(order[k - 1], order[k])) {
+        duplicate[order[k]] = true;
+        merged++;
+      }
+    }
+    return new Sites(merged == 0 ? points : without(points, duplicate, merged), merged);
+  }
+
+  private static Points without(Points points, boolean[] duplicate, int merged) {
+    double[] x = new double[points.size() - merged];
+    double[] y = new double[x.length];
+    int k = 0;
+    for (int i = 0; i < duplicate.length; i++) {
+      if (!duplicate[i]) {
+        x[k] = points.x(i);
+        y[k++] = points.y(i);
+      }
+    }
+    return Points.of(x, y);
+  }
+
+  /** The sites, all different. */
+  public Points points() {
+    return points;
+  }
+
+  /** The number of sites, n. */
+  public int size() {
+    return points.size();
+  }
+
+  /** How many of the points given were duplicates of an earlier one. */
+  public int merged() {
+    return merged;
+  }
+}

@@ -1,0 +1,14 @@
+package dct.core.triangulate;
+
+import dct.core.Progress;
+import dct.core.geometry.SimplePolygon;
+
+/** To be written. */
+public final class EarClipping {
+
+  private EarClipping() {}
+
+  public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
+    return null;
+  }
+}
