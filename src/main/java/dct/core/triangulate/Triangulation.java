@@ -14,12 +14,10 @@ import java.util.function.IntFunction;
  * all lie on one line have none, and their edges form a path.
  */
 public final class Triangulation {
-  private static final EdgeKind[] KINDS = EdgeKind.values();
-
   private final Domain domain;
   private final Points points;
   private final Dcel dcel;
-  private final byte[] kinds; // the ordinal of each edge's kind
+  private final EdgeKind[] kinds; // by edge
 
   /**
    * A triangulation over this topology, which is frozen by it.
@@ -35,10 +33,9 @@ public final class Triangulation {
     this.domain = domain;
     this.points = points;
     this.dcel = dcel.freeze();
-    this.kinds = new byte[dcel.edgeCount()];
+    this.kinds = new EdgeKind[dcel.edgeCount()];
     for (int edge = 0; edge < kinds.length; edge++) {
-      EdgeKind kind = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
-      kinds[edge] = (byte) kind.ordinal();
+      kinds[edge] = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
     }
   }
 
@@ -74,14 +71,14 @@ public final class Triangulation {
 
   /** The kind of an edge. */
   public EdgeKind kind(int edge) {
-    return KINDS[kinds[edge]];
+    return kinds[edge];
   }
 
   /** How many edges are of this kind. */
   public int count(EdgeKind kind) {
     int count = 0;
-    for (byte k : kinds) {
-      if (k == kind.ordinal()) {
+    for (EdgeKind k : kinds) {
+      if (k == kind) {
         count++;
       }
     }
@@ -116,7 +113,7 @@ public final class Triangulation {
     boolean[] seen = new boolean[vertexCount()];
     int count = 0;
     for (int edge = 0; edge < kinds.length; edge++) {
-      if (kinds[edge] == EdgeKind.BOUNDARY.ordinal()) {
+      if (kinds[edge] == EdgeKind.BOUNDARY) {
         count += mark(seen, from(edge)) + mark(seen, to(edge));
       }
     }
