@@ -1,0 +1,61 @@
+package dct.experiment;
+
+import dct.core.geometry.Points;
+import java.util.BitSet;
+
+/**
+ * Seeded random sites with integer coordinates, all different.
+ *
+ * <p>The sites fall on the canvas of the thesis: 0 ≤ x &lt; {@value #WIDTH}, 0 ≤ y &lt; {@value
+ * #HEIGHT}. Where so many are asked for that more than half of the places would be taken, both
+ * sides of the canvas are doubled until that is no longer so. The same number and seed give the
+ * same sites on every machine and JDK; a smaller number on the same canvas gives the first of them.
+ */
+public final class RandomSites {
+  /** The width of the canvas. */
+  public static final int WIDTH = 1000;
+
+  /** The height of the canvas. */
+  public static final int HEIGHT = 700;
+
+  /** The largest number of sites that can be asked for. */
+  public static final int MOST = 100_000_000;
+
+  private RandomSites() {}
+
+  /**
+   * Draws n sites uniformly, each place at most once, in O(n).
+   *
+   * @throws IllegalArgumentException if n is negative or above {@link #MOST}
+   */
+  public static Points uniform(int n, long seed) {
+    if (n < 0 || n > MOST) {
+      throw new IllegalArgumentException(n + " sites");
+    }
+    int scale = scale(n);
+    int width = WIDTH * scale;
+    int height = HEIGHT * scale;
+    BitSet taken = new BitSet(width * height);
+    SeededRandom random = new SeededRandom(seed);
+    double[] x = new double[n];
+    double[] y = new double[n];
+    for (int i = 0; i < n; ) {
+      int px = random.nextInt(width);
+      int py = random.nextInt(height);
+      if (!taken.get(py * width + px)) {
+        taken.set(py * width + px);
+        x[i] = px;
+        y[i++] = py;
+      }
+    }
+    return Points.of(x, y);
+  }
+
+  private static int scale(int n) {
+    int scale = 1;
+    while (2L * n > (long) WIDTH * HEIGHT * scale * scale) {
+      scale *= 2;
+    }
+    return scale;
+  }
+}
