@@ -1,0 +1,147 @@
+package dct.io;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.util.UUID;
+
+/**
+ * Writes a file whole or not at all.
+ *
+ * <p>The content goes to a temporary file in the same folder, is forced to the disk and moved into
+ * place. Whatever fails, the old file stays as it was and no temporary file stays behind. Where the
+ * target is a symbolic link, the file that it leads to is replaced, not the link. A replaced file
+ * keeps its permissions. Devices and pipes are written to directly.
+ */
+public final class AtomicFile {
+  private static final int MOST_LINKS = 40;
+
+  /** Puts content into a stream. */
+  @FunctionalInterface
+  public interface Content {
+    /** Writes everything; need not flush, must not close. */
+    void writeTo(OutputStream out) throws IOException;
+  }
+
+  private final Path typed;
+  private final Path target;
+
+  private AtomicFile(Path typed, Path target) {
+    this.typed = typed;
+    this.target = target;
+  }
+
+  /**
+   * Writes the content to the file, replacing what is there.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, Content content) throws CannotWriteException {
+    try {
+      if (isDevice(file)) {
+        writeDirectly(file, content);
+      } else {
+        new AtomicFile(file, behindLinks(file)).write(content);
+      }
+    } catch (CannotWriteException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new CannotWriteException(file.toString(), reason(e), e);
+    }
+  }
+
+  private static boolean isDevice(Path file) {
+    return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
+  }
+
+  private static void writeDirectly(Path device, Content content) throws IOException {
+    try (OutputStream out =
+        new BufferedOutputStream(Files.newOutputStream(device, StandardOpenOption.WRITE))) {
+      content.writeTo(out);
+    }
+  }
+
+  /** Follows symbolic links, the last of which may lead to a file that is not there yet. */
+  private static Path behindLinks(Path file) throws IOException {
+    Path path = file.toAbsolutePath();
+    for (int links = 0; Files.isSymbolicLink(path); links++) {
+      if (links == MOST_LINKS) {
+        throw new FileSystemException(file.toString(), null, "its symbolic links go in a circle");
+      }
+      path = path.resolveSibling(Files.readSymbolicLink(path));
+    }
+    return path;
+  }
+
+  private void write(Content content) throws IOException {
+    if (Files.isDirectory(target)) {
+      throw refusal("it is a folder");
+    }
+    if (Files.exists(target) && !Files.isWritable(target)) {
+      throw refusal("it is write-protected");
+    }
+    writeAside(content);
+  }
+
+  private CannotWriteException refusal(String reason) {
+    return new CannotWriteException(typed.toString(), reason, null);
+  }
+
+  private void writeAside(Content content) throws IOException {
+    Path aside = target.resolveSibling(".dct-" + UUID.randomUUID() + ".tmp");
+    try {
+      fill(aside, content);
+      copyPermissions(aside);
+      move(aside);
+    } finally {
+      Files.deleteIfExists(aside);
+    }
+  }
+
+  private static void fill(Path aside, Content content) throws IOException {
+    try (FileChannel channel =
+            FileChannel.open(aside, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16)) {
+      content.writeTo(out);
+      out.flush();
+      channel.force(true);
+    }
+  }
+
+  private void copyPermissions(Path aside) throws IOException {
+    PosixFileAttributeView old = Files.getFileAttributeView(target, PosixFileAttributeView.class);
+    if (old != null && Files.exists(target)) {
+      Files.setPosixFilePermissions(aside, old.readAttributes().permissions());
+    }
+  }
+
+  private void move(Path aside) throws IOException {
+    try {
+      Files.move(aside, target, StandardCopyOption.ATOMIC_MOVE);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(aside, target, StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  private static String reason(IOException e) {
+    if (e instanceof NoSuchFileException) {
+      return "its folder does not exist";
+    }
+    if (e instanceof AccessDeniedException) {
+      return "permission is denied";
+    }
+    String reason = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
+    return reason == null ? e.getClass().getSimpleName() : reason;
+  }
+}

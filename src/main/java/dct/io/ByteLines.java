@@ -1,0 +1,133 @@
+package dct.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+
+/**
+ * The lines of a stream of bytes, one at a time, without a string for each.
+ *
+ * <p>A line ends with LF, CR LF, CR or the stream. A byte-order mark of UTF-8 is skipped. A line
+ * may be {@value #LONGEST} bytes long; of a longer one that much is given and {@link #isCut} says
+ * so.
+ */
+final class ByteLines {
+  static final int LONGEST = 1 << 16;
+
+  private final InputStream in;
+  private final byte[] buffer = new byte[LONGEST];
+  private int start; // of the current line
+  private int end; // of the current line, without its end mark
+  private int next; // where the next line starts
+  private int filled; // bytes of the buffer in use
+  private int number;
+  private boolean afterCr;
+  private boolean cut;
+
+  ByteLines(InputStream in) throws IOException {
+    this.in = in;
+    while (filled < 3 && fill()) {
+      // a byte-order mark is looked for in the first three bytes
+    }
+    if (filled >= 3
+        && buffer[0] == (byte) 0xEF
+        && buffer[1] == (byte) 0xBB
+        && buffer[2] == (byte) 0xBF) {
+      next = 3;
+    }
+  }
+
+  /** Goes to the next line, if there is one. */
+  boolean next() throws IOException {
+    skipLfAfterCr();
+    start = next;
+    int i = next;
+    while (true) {
+      if (i == filled) {
+        int before = start;
+        if (!makeRoom() || !fill()) {
+          return last();
+        }
+        i -= before - start;
+      }
+      if (buffer[i] == '\n' || buffer[i] == '\r') {
+        afterCr = buffer[i] == '\r';
+        return line(i, i + 1);
+      }
+      i++;
+    }
+  }
+
+  private void skipLfAfterCr() throws IOException {
+    if (!afterCr) {
+      return;
+    }
+    afterCr = false;
+    if (next == filled) {
+      start = next;
+      makeRoom();
+      if (!fill()) {
+        return;
+      }
+    }
+    if (buffer[next] == '\n') {
+      next++;
+    }
+  }
+
+  /** Moves what has not been given out to the front; false if it fills the whole buffer. */
+  private boolean makeRoom() {
+    System.arraycopy(buffer, start, buffer, 0, filled - start);
+    filled -= start;
+    next -= start;
+    start = 0;
+    cut = filled == buffer.length;
+    return !cut;
+  }
+
+  private boolean fill() throws IOException {
+    int read = in.read(buffer, filled, buffer.length - filled);
+    filled += Math.max(read, 0);
+    return read >= 0;
+  }
+
+  private boolean last() {
+    return start < filled && line(filled, filled);
+  }
+
+  private boolean line(int lineEnd, int following) {
+    end = lineEnd;
+    next = following;
+    number++;
+    return true;
+  }
+
+  /** The bytes, of which the current line is a part. */
+  byte[] bytes() {
+    return buffer;
+  }
+
+  /** Where the current line starts. */
+  int start() {
+    return start;
+  }
+
+  /** Where the current line ends. */
+  int end() {
+    return end;
+  }
+
+  /** Where the bytes end that have been read so far; some of them follow the current line. */
+  int ahead() {
+    return filled;
+  }
+
+  /** The number of the current line, from 1 on; 0 before the first. */
+  int number() {
+    return number;
+  }
+
+  /** Whether the current line is longer than {@link #LONGEST}. */
+  boolean isCut() {
+    return cut;
+  }
+}

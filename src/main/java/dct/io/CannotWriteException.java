@@ -1,0 +1,20 @@
+package dct.io;
+
+import java.io.IOException;
+
+/** A file that could not be written; what stood in its place is as it was. */
+public final class CannotWriteException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * Says which file and why.
+   *
+   * @param file the file's name as the user gave it
+   * @param reason why it failed, in a few words
+   */
+  public CannotWriteException(String file, String reason, Throwable cause) {
+    super(
+        file + ": cannot be written, " + reason + "; nothing was changed, choose another place",
+        cause);
+  }
+}

@@ -1,0 +1,103 @@
+package dct.io;
+
+import dct.core.triangulate.Domain;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * The naming convention of the thesis: {@code NAME_polygonbased.txt} for polygons, {@code
+ * NAME_pointbased.txt} for sites.
+ */
+public final class FileNames {
+  private static final String EXTENSION = ".txt";
+
+  private FileNames() {}
+
+  /** The suffix of file names of this kind, without extension. */
+  public static String suffix(Domain domain) {
+    return domain == Domain.POLYGON ? "_polygonbased" : "_pointbased";
+  }
+
+  /** What a file holds by its name, whatever its extension; nothing if the name does not say. */
+  public static Optional<Domain> domain(Path file) {
+    String stem = stem(name(file)).toLowerCase(Locale.ROOT);
+    return Stream.of(Domain.values()).filter(d -> stem.endsWith(suffix(d))).findFirst();
+  }
+
+  /**
+   * The file to save to when the user typed this name.
+   *
+   * <p>Suffix and extension are added where neither was typed, the extension alone where only the
+   * suffix was. A name with an extension is kept. The suffix of the other kind is replaced: such a
+   * file would be opened as what it is not.
+   */
+  public static Path forSaving(Path typed, Domain domain) {
+    String name = name(typed);
+    String stem = stem(name);
+    String extension = name.substring(stem.length());
+    Optional<Domain> said = domain(typed);
+    if (said.isPresent() && said.get() != domain) {
+      stem = stem.substring(0, stem.length() - suffix(said.get()).length()) + suffix(domain);
+    } else if (said.isEmpty() && extension.isEmpty()) {
+      stem += suffix(domain);
+    }
+    return typed.resolveSibling(stem + (extension.isEmpty() ? EXTENSION : extension));
+  }
+
+  /**
+   * The file to open when the user typed this name: that very file, or else the one that the
+   * extension, or suffix and extension, lead to.
+   *
+   * @return the typed name itself if there is no such file either
+   * @throws BadInputException if there is both a polygon and a set of sites of that name
+   */
+  public static Path forOpening(Path typed) {
+    if (Files.exists(typed) && !Files.isDirectory(typed)) {
+      return typed;
+    }
+    Path extended = sibling(typed, EXTENSION);
+    if (Files.isRegularFile(extended)) {
+      return extended;
+    }
+    List<Path> suffixed =
+        Stream.of(Domain.values())
+            .map(d -> sibling(typed, suffix(d) + EXTENSION))
+            .filter(Files::isRegularFile)
+            .toList();
+    if (suffixed.size() > 1) {
+      throw new BadInputException(
+          typed.toString(),
+          0,
+          "there is both %s and %s; say which"
+              .formatted(name(suffixed.get(0)), name(suffixed.get(1))));
+    }
+    return suffixed.isEmpty() ? typed : suffixed.get(0);
+  }
+
+  private static Path sibling(Path file, String end) {
+    return file.resolveSibling(name(file) + end);
+  }
+
+  private static String name(Path file) {
+    Path last = file.getFileName();
+    return last == null ? "" : last.toString();
+  }
+
+  /**
+   * The name without its extension, a dot and one to five letters that do not make up all of it.
+   */
+  private static String stem(String name) {
+    int dot = name.lastIndexOf('.');
+    int letters = name.length() - dot - 1;
+    boolean extension =
+        dot > 0
+            && letters >= 1
+            && letters <= 5
+            && name.substring(dot + 1).chars().allMatch(Character::isLetter);
+    return extension ? name.substring(0, dot) : name;
+  }
+}

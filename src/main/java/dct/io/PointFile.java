@@ -1,0 +1,106 @@
+package dct.io;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Files of points: the program's own text, or the {@code points} of its JSON, told by content.
+ *
+ * <p>Reading and writing take linear time.
+ */
+public final class PointFile {
+  private static final int LOOK_AHEAD = 8192;
+
+  private PointFile() {}
+
+  /**
+   * Reads the file that {@link FileNames#forOpening} leads to.
+   *
+   * @throws BadInputException if there is none, or it holds no points
+   */
+  public static PointDocument read(Path typed) {
+    Path file = FileNames.forOpening(typed);
+    PointDocument document = readContent(file);
+    return FileNames.domain(file).map(document::declared).orElse(document);
+  }
+
+  private static PointDocument readContent(Path file) {
+    String name = file.toString();
+    if (Files.isDirectory(file)) {
+      throw new BadInputException(name, 0, "this is a folder; name a file in it");
+    }
+    if (!Files.exists(file)) {
+      throw new BadInputException(name, 0, "there is no such file; check its name and folder");
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return read(name, in);
+    } catch (AccessDeniedException e) {
+      throw new BadInputException(name, 0, "the file may not be read; change its permissions");
+    } catch (IOException e) {
+      throw new BadInputException(
+          name,
+          0,
+          "reading failed (" + e.getMessage() + "); check the disk or choose another file");
+    }
+  }
+
+  /**
+   * Reads a stream to its end.
+   *
+   * @param name what messages call it, "-" for standard input
+   * @throws BadInputException if it holds no points
+   */
+  public static PointDocument read(String name, InputStream in) throws IOException {
+    BufferedInputStream buffered = new BufferedInputStream(in, LOOK_AHEAD);
+    return VertexText.read(name, buffered);
+  }
+
+  /**
+   * Writes points as text, whole or not at all.
+   *
+   * <p>Where the name does not say what the points are, the first line is a comment that does.
+   *
+   * @param file written as named; see {@link FileNames#forSaving}
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, Domain domain, Points points) throws CannotWriteException {
+    boolean said = FileNames.domain(file).isPresent();
+    AtomicFile.write(file, out -> write(out, said ? "" : kindLine(domain), points));
+  }
+
+  /** Writes points as text to a stream, behind a comment that says what they are. */
+  public static void write(OutputStream out, Domain domain, Points points) throws IOException {
+    write(out, kindLine(domain), points);
+  }
+
+  private static String kindLine(Domain domain) {
+    return VertexText.kindLine(domain) + "\n";
+  }
+
+  private static void write(OutputStream out, String head, Points points) throws IOException {
+    StringBuilder text = new StringBuilder(head);
+    for (int i = 0; i < points.size(); i++) {
+      Decimals.append(text, points.x(i));
+      text.append(' ');
+      Decimals.append(text, points.y(i));
+      text.append('\n');
+      if (text.length() > 1 << 15) {
+        flush(text, out);
+      }
+    }
+    flush(text, out);
+  }
+
+  private static void flush(StringBuilder text, OutputStream out) throws IOException {
+    out.write(text.toString().getBytes(StandardCharsets.US_ASCII));
+    text.setLength(0);
+  }
+}

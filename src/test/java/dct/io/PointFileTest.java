@@ -1,0 +1,147 @@
+package dct.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.experiment.RandomSites;
+import dct.experiment.SeededRandom;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class PointFileTest {
+  private static final Points TRIANGLE = Points.ofPairs(0, 0, 4.5, -1e-9, 2, 3);
+
+  private static PointDocument read(String text) throws IOException {
+    return read(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static PointDocument read(byte[] bytes) throws IOException {
+    return PointFile.read("in.txt", new ByteArrayInputStream(bytes));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "0 0\n4.5 -1e-9\n2 3\n",
+        "0 0\n4.5 -1e-9\n2 3",
+        "0 0\r\n4.5 -1e-9\r\n2 3\r\n",
+        "0 0\r4.5 -1e-9\r2 3\r",
+        "\uFEFF0 0\n4.5 -1e-9\n2 3\n",
+        "0\t0\n4.5\t\t-1e-9\n2\t3\n",
+        "0,0\n4.5,-1e-9\n2,3\n",
+        "0;0\n4.5;-1e-9\n2;3\n",
+        "0 , 0\n 4.5, -1e-9 \n\t2 ;3\t\n",
+        "0,0,\n4.5;-1e-9;\n2,3,\n",
+        "# Größe π\n\n  \n0 0 # first\n4.5 -1e-9#second\n\t# between\n2 3\n\n#end",
+        "+0 -0\n4.50 -.000000001\n002 3.\n",
+      })
+  void reads_every_form_of_the_text(String text) throws IOException {
+    assertThat(read(text).points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void knows_the_line_of_each_point() throws IOException {
+    PointDocument document = read("# head\r\n0 0\r\n\r\n1 0\r1 1\n\n0 1");
+    assertThat(document.line(0)).isEqualTo(2);
+    assertThat(document.line(1)).isEqualTo(4);
+    assertThat(document.line(2)).isEqualTo(5);
+    assertThat(document.line(3)).isEqualTo(7);
+  }
+
+  @Test
+  void reads_the_same_however_the_stream_is_cut() throws IOException {
+    StringBuilder text = new StringBuilder("\uFEFF# head\r\n");
+    SeededRandom random = new SeededRandom(2);
+    for (int i = 0; i < 30_000; i++) {
+      text.append(random.nextInt(1000)).append("   ").append(random.nextDouble()).append("\r\n");
+    }
+    byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
+    PointDocument whole = read(bytes);
+    InputStream trickle =
+        new ByteArrayInputStream(bytes) {
+          @Override
+          public synchronized int read(byte[] b, int off, int len) {
+            return super.read(b, off, Math.min(len, 1 + random.nextInt(7)));
+          }
+        };
+    PointDocument cut = PointFile.read("in.txt", trickle);
+    assertThat(cut.points()).isEqualTo(whole.points());
+    assertThat(cut.points().size()).isEqualTo(30_000);
+    assertThat(cut.line(29_999)).isEqualTo(30_001).isEqualTo(whole.line(29_999));
+  }
+
+  @ParameterizedTest
+  @EnumSource(Domain.class)
+  void a_comment_or_the_name_says_what_the_points_are(Domain domain, @TempDir Path folder)
+      throws IOException {
+    assertThat(read("0 0\n").declared()).isEmpty();
+    assertThat(read("# kind: " + DomainWord.of(domain) + "\n0 0\n").declared()).contains(domain);
+    assertThat(read("0 0\n# kind: " + DomainWord.of(domain) + "\n").declared()).isEmpty();
+    assertThat(read("# kind: something\n0 0\n").declared()).isEmpty();
+    Path file = folder.resolve("x" + FileNames.suffix(domain) + ".txt");
+    Files.writeString(file, "0 0\n");
+    assertThat(PointFile.read(file).declared()).contains(domain);
+    assertThat(PointFile.read(folder.resolve("x")).declared()).contains(domain);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Domain.class)
+  void writes_what_it_reads(Domain domain, @TempDir Path folder) throws IOException {
+    for (String name : new String[] {"x" + FileNames.suffix(domain) + ".txt", "x.txt"}) {
+      Path file = folder.resolve(name);
+      PointFile.write(file, domain, TRIANGLE);
+      PointDocument document = PointFile.read(file);
+      assertThat(document.points()).isEqualTo(TRIANGLE);
+      assertThat(document.declared()).contains(domain);
+    }
+    assertThat(folder.resolve("x" + FileNames.suffix(domain) + ".txt"))
+        .hasContent("0 0\n4.5 -1e-9\n2 3\n");
+    assertThat(folder.resolve("x.txt"))
+        .hasContent("# kind: " + DomainWord.of(domain) + "\n0 0\n4.5 -1e-9\n2 3\n");
+  }
+
+  @Test
+  void writes_and_reads_many_points(@TempDir Path folder) throws IOException {
+    Points many = RandomSites.uniform(100_000, 3);
+    Path file = folder.resolve("many_pointbased.txt");
+    PointFile.write(file, Domain.SITES, many);
+    assertThat(PointFile.read(file).points()).isEqualTo(many);
+  }
+
+  @Test
+  void stops_at_the_first_line_of_garbage() {
+    InputStream endless =
+        new InputStream() {
+          private long given;
+
+          @Override
+          public int read() {
+            return given++ % 8 == 7 ? '\n' : 'x';
+          }
+
+          @Override
+          public int read(byte[] bytes, int from, int length) {
+            assertThat(given).as("bytes read").isLessThan(200_000);
+            for (int i = from; i < from + length; i++) {
+              bytes[i] = (byte) read();
+            }
+            return length;
+          }
+        };
+    assertThatThrownBy(() -> PointFile.read("-", endless))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(
+            "-:1: \"xxxxxxx\" is not a number; write one vertex a line, as two numbers x y");
+  }
+}
