@@ -1,0 +1,74 @@
+package dct.render;
+
+import dct.core.geometry.Points;
+
+/**
+ * A rectangle with sides along the axes.
+ *
+ * @param minX the least x
+ * @param minY the least y
+ * @param maxX the greatest x
+ * @param maxY the greatest y
+ */
+public record Box(double minX, double minY, double maxX, double maxY) {
+
+  /**
+   * The smallest box round these points, in linear time.
+   *
+   * @throws IllegalArgumentException if there are no points
+   */
+  public static Box of(Points points) {
+    if (points.size() == 0) {
+      throw new IllegalArgumentException("no points");
+    }
+    double minX = points.x(0);
+    double maxX = minX;
+    double minY = points.y(0);
+    double maxY = minY;
+    for (int i = 1; i < points.size(); i++) {
+      minX = Math.min(minX, points.x(i));
+      maxX = Math.max(maxX, points.x(i));
+      minY = Math.min(minY, points.y(i));
+      maxY = Math.max(maxY, points.y(i));
+    }
+    return new Box(minX, minY, maxX, maxY);
+  }
+
+  /** Half the width; unlike the width it cannot overflow. */
+  public double halfWidth() {
+    return maxX / 2 - minX / 2;
+  }
+
+  /** Half the height; unlike the height it cannot overflow. */
+  public double halfHeight() {
+    return maxY / 2 - minY / 2;
+  }
+
+  /** The x-coordinate of the centre. */
+  public double centerX() {
+    return minX / 2 + maxX / 2;
+  }
+
+  /** The y-coordinate of the centre. */
+  public double centerY() {
+    return minY / 2 + maxY / 2;
+  }
+
+  /** Whether a segment with these ends can meet this box; true for every one that does. */
+  boolean mayMeet(double x1, double y1, double x2, double y2) {
+    return Math.max(x1, x2) >= minX
+        && Math.min(x1, x2) <= maxX
+        && Math.max(y1, y2) >= minY
+        && Math.min(y1, y2) <= maxY;
+  }
+
+  /** Whether this box holds the point, its border included. */
+  boolean holds(double x, double y) {
+    return x >= minX && x <= maxX && y >= minY && y <= maxY;
+  }
+
+  /** This box with every side moved outwards. */
+  Box grown(double by) {
+    return new Box(minX - by, minY - by, maxX + by, maxY + by);
+  }
+}

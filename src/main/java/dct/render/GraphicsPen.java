@@ -1,0 +1,124 @@
+package dct.render;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.font.TextLayout;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.EnumMap;
+import java.util.Map;
+
+/** Draws on any {@link Graphics2D}: the screen or an image. */
+public final class GraphicsPen implements Pen {
+  private static final double TINY = 1.2;
+  private static final float RIM = 3.5f;
+
+  private final Graphics2D graphics;
+  private final boolean smooth;
+  private final Map<Ink, Color> colours = new EnumMap<>(Ink.class);
+  private final Line2D.Double line = new Line2D.Double();
+  private final Ellipse2D.Double ellipse = new Ellipse2D.Double();
+  private final Rectangle2D.Double rectangle = new Rectangle2D.Double();
+
+  /**
+   * A pen for these graphics, whose colour, stroke and hints it changes.
+   *
+   * @param smooth whether edges are smoothed; without, large scenes are drawn several times faster
+   */
+  public GraphicsPen(Graphics2D graphics, Theme theme, boolean smooth) {
+    this.graphics = graphics;
+    this.smooth = smooth;
+    for (Ink ink : Ink.values()) {
+      colours.put(ink, new Color(ink.rgb(theme)));
+    }
+    graphics.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    antialias(smooth);
+  }
+
+  /** Fills a rectangle with the colour of the ground. */
+  public void ground(int width, int height) {
+    graphics.setColor(colours.get(Ink.BACKGROUND));
+    graphics.fillRect(0, 0, width, height);
+  }
+
+  @Override
+  public void style(Stroke stroke) {
+    graphics.setColor(colours.get(stroke.ink()));
+    float[] dash = stroke.dashed() ? new float[] {5, 5} : null;
+    // Without smoothing only a line of width 1 is fast; wider ones are filled as polygons.
+    float width = smooth ? (float) stroke.width() : Math.max(1, Math.round(stroke.width() * 0.7));
+    graphics.setStroke(
+        new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, dash, 0));
+  }
+
+  @Override
+  public void line(double x1, double y1, double x2, double y2) {
+    line.setLine(x1, y1, x2, y2);
+    graphics.draw(line);
+  }
+
+  @Override
+  public void disc(double x, double y, double radius) {
+    if (radius < TINY && !smooth) {
+      square(x, y, radius);
+    } else {
+      ellipse.setFrame(x - radius, y - radius, 2 * radius, 2 * radius);
+      graphics.fill(ellipse);
+    }
+  }
+
+  @Override
+  public void square(double x, double y, double halfSide) {
+    if (halfSide < TINY && !smooth) {
+      int side = (int) Math.max(1, Math.round(2 * halfSide));
+      graphics.fillRect((int) Math.round(x) - side / 2, (int) Math.round(y) - side / 2, side, side);
+    } else {
+      rectangle.setFrame(x - halfSide, y - halfSide, 2 * halfSide, 2 * halfSide);
+      graphics.fill(rectangle);
+    }
+  }
+
+  @Override
+  public void ring(double x, double y, double radius) {
+    ellipse.setFrame(x - radius, y - radius, 2 * radius, 2 * radius);
+    graphics.draw(ellipse);
+  }
+
+  @Override
+  public void text(double x, double y, Anchor anchor, double size, String text) {
+    Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont((float) size);
+    TextLayout layout = new TextLayout(text, font, graphics.getFontRenderContext());
+    double width = layout.getAdvance();
+    double left =
+        switch (anchor) {
+          case START -> x;
+          case MIDDLE -> x - width / 2;
+          case END -> x - width;
+        };
+    Shape outline = layout.getOutline(AffineTransform.getTranslateInstance(left, y));
+    Color colour = graphics.getColor();
+    java.awt.Stroke stroke = graphics.getStroke();
+    antialias(true);
+    graphics.setColor(colours.get(Ink.BACKGROUND));
+    graphics.setStroke(new BasicStroke(RIM, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    graphics.draw(outline);
+    graphics.setColor(colour);
+    graphics.setStroke(stroke);
+    layout.draw(graphics, (float) left, (float) y);
+    antialias(smooth);
+  }
+
+  private void antialias(boolean on) {
+    graphics.setRenderingHint(
+        RenderingHints.KEY_ANTIALIASING,
+        on ? RenderingHints.VALUE_ANTIALIAS_ON : RenderingHints.VALUE_ANTIALIAS_OFF);
+  }
+}

@@ -1,0 +1,38 @@
+package dct.render;
+
+/**
+ * What a picture is drawn with: a screen, an image, or a file. All coordinates are in pixels, y
+ * downwards.
+ *
+ * <p>{@link #style} is called before each run of shapes of one colour, so that a pen can batch
+ * them.
+ */
+public interface Pen {
+
+  /** Where a text lies with respect to its point, on the baseline. */
+  enum Anchor {
+    START,
+    MIDDLE,
+    END
+  }
+
+  /** The colour and line of everything drawn until the next call. */
+  void style(Stroke stroke);
+
+  /** A straight line. */
+  void line(double x1, double y1, double x2, double y2);
+
+  /** A filled disc. */
+  void disc(double x, double y, double radius);
+
+  /** A filled square of half this side. */
+  void square(double x, double y, double halfSide);
+
+  /** The outline of a circle. */
+  void ring(double x, double y, double radius);
+
+  /**
+   * A line of text of this size, with a rim in the colour of the ground so that it stays legible.
+   */
+  void text(double x, double y, Anchor anchor, double size, String text);
+}

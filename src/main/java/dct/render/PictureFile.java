@@ -1,0 +1,114 @@
+package dct.render;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+
+/** Writes scenes as pictures: light on white, the whole scene with a margin round it. */
+public final class PictureFile {
+  /** The width of a picture unless asked otherwise: that of the thesis's canvas. */
+  public static final int WIDTH = 1000;
+
+  /** The height of a picture unless asked otherwise. */
+  public static final int HEIGHT = 700;
+
+  private static final int MARGIN = 40;
+  private static final Theme THEME = Theme.LIGHT;
+
+  /** The formats of pictures. */
+  public enum Format {
+    /** Pixels. */
+    PNG,
+    /** Shapes. */
+    SVG;
+
+    /** The format that a file's ending asks for, or nothing for another ending. */
+    public static Optional<Format> of(Path file) {
+      String name = file.toString().toLowerCase(Locale.ROOT);
+      return Arrays.stream(values())
+          .filter(format -> name.endsWith("." + format.name().toLowerCase(Locale.ROOT)))
+          .findFirst();
+    }
+  }
+
+  private PictureFile() {}
+
+  /**
+   * Writes a picture of the whole scene, y downwards, in the format of the file's ending. The file
+   * is written whole or not at all.
+   *
+   * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
+   * @throws IOException if writing failed; nothing is changed then
+   */
+  public static void write(Scene scene, Path file) throws IOException {
+    write(scene, fitted(scene), WIDTH, HEIGHT, file);
+  }
+
+  /**
+   * Writes what this viewport shows of the scene on a screen of this size.
+   *
+   * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
+   * @throws IOException if writing failed; nothing is changed then
+   */
+  public static void write(Scene scene, Viewport view, int width, int height, Path file)
+      throws IOException {
+    Format format =
+        Format.of(file)
+            .orElseThrow(
+                () -> new IllegalArgumentException(file + " ends in neither .png nor .svg"));
+    Path folder = file.toAbsolutePath().getParent();
+    Path aside = Files.createTempFile(folder, ".dct-", ".tmp");
+    try {
+      try (OutputStream out = Files.newOutputStream(aside)) {
+        write(scene, view, width, height, format, out);
+      }
+      Files.move(aside, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(aside);
+    }
+  }
+
+  /** The viewport of a picture of the whole scene. */
+  public static Viewport fitted(Scene scene) {
+    return scene
+        .bounds()
+        .map(box -> Viewport.fit(box, WIDTH, HEIGHT, MARGIN, false))
+        .orElse(Viewport.IDENTITY);
+  }
+
+  private static void write(
+      Scene scene, Viewport view, int width, int height, Format format, OutputStream out)
+      throws IOException {
+    switch (format) {
+      case PNG -> ImageIO.write(image(scene, view, width, height), "png", out);
+      case SVG -> out.write(svg(scene, view, width, height).getBytes(StandardCharsets.UTF_8));
+    }
+  }
+
+  /** The scene as an image, smoothed. */
+  static BufferedImage image(Scene scene, Viewport view, int width, int height) {
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    GraphicsPen pen = new GraphicsPen(graphics, THEME, true);
+    pen.ground(width, height);
+    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
+    graphics.dispose();
+    return image;
+  }
+
+  /** The scene as an SVG document. */
+  static String svg(Scene scene, Viewport view, int width, int height) {
+    SvgPen pen = new SvgPen(width, height, THEME);
+    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
+    return pen.finish();
+  }
+}

@@ -1,0 +1,141 @@
+package dct.render;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.Locale;
+
+/**
+ * Writes a drawing as an SVG 1.1 document: valid XML, numbers with a point whatever the locale, one
+ * element a shape, grouped by what the colour stands for.
+ */
+public final class SvgPen implements Pen {
+  private final StringBuilder out = new StringBuilder();
+  private final Theme theme;
+  private boolean inGroup;
+
+  /** A drawing of this size, in pixels, on a ground of the theme's colour. */
+  public SvgPen(int width, int height, Theme theme) {
+    this.theme = theme;
+    out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
+    attribute("width", width);
+    attribute("height", height);
+    out.append(" viewBox=\"0 0 ").append(width).append(' ').append(height).append("\">\n");
+    out.append("<rect width=\"");
+    number(width);
+    attribute("height", height);
+    out.append(" fill=\"").append(hex(Ink.BACKGROUND)).append("\"/>\n");
+  }
+
+  /** The whole document; nothing can be drawn after. */
+  public String finish() {
+    closeGroup();
+    return out.append("</svg>\n").toString();
+  }
+
+  @Override
+  public void style(Stroke stroke) {
+    closeGroup();
+    inGroup = true;
+    out.append("<g class=\"").append(stroke.ink().name().toLowerCase(Locale.ROOT));
+    out.append("\" stroke=\"").append(hex(stroke.ink()));
+    out.append("\" fill=\"").append(hex(stroke.ink()));
+    out.append("\" stroke-linecap=\"round");
+    attribute("stroke-width", stroke.width());
+    out.append(stroke.dashed() ? " stroke-dasharray=\"5 5\">\n" : ">\n");
+  }
+
+  private void closeGroup() {
+    if (inGroup) {
+      out.append("</g>\n");
+      inGroup = false;
+    }
+  }
+
+  @Override
+  public void line(double x1, double y1, double x2, double y2) {
+    out.append("<line x1=\"");
+    number(x1);
+    attribute("y1", y1);
+    attribute("x2", x2);
+    attribute("y2", y2);
+    out.append("/>\n");
+  }
+
+  @Override
+  public void disc(double x, double y, double radius) {
+    circle(x, y, radius);
+    out.append(" stroke=\"none\"/>\n");
+  }
+
+  @Override
+  public void ring(double x, double y, double radius) {
+    circle(x, y, radius);
+    out.append(" fill=\"none\"/>\n");
+  }
+
+  private void circle(double x, double y, double radius) {
+    out.append("<circle cx=\"");
+    number(x);
+    attribute("cy", y);
+    attribute("r", radius);
+  }
+
+  @Override
+  public void square(double x, double y, double halfSide) {
+    out.append("<rect x=\"");
+    number(x - halfSide);
+    attribute("y", y - halfSide);
+    attribute("width", 2 * halfSide);
+    attribute("height", 2 * halfSide);
+    out.append(" stroke=\"none\"/>\n");
+  }
+
+  @Override
+  public void text(double x, double y, Anchor anchor, double size, String text) {
+    out.append("<text x=\"");
+    number(x);
+    attribute("y", y);
+    attribute("font-size", size);
+    out.append(" font-family=\"sans-serif\" text-anchor=\"");
+    out.append(anchor.name().toLowerCase(Locale.ROOT));
+    out.append("\" stroke=\"").append(hex(Ink.BACKGROUND));
+    out.append("\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\">");
+    escaped(text);
+    out.append("</text>\n");
+  }
+
+  /** Closes the attribute before and writes this one, its quotes included. */
+  private void attribute(String name, double value) {
+    if (out.charAt(out.length() - 1) != '"') {
+      out.append('"');
+    }
+    out.append(' ').append(name).append("=\"");
+    number(value);
+    out.append('"');
+  }
+
+  private void number(double value) {
+    out.append(
+        BigDecimal.valueOf(value)
+            .setScale(2, RoundingMode.HALF_EVEN)
+            .stripTrailingZeros()
+            .toPlainString());
+  }
+
+  private void escaped(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      switch (c) {
+        case '&' -> out.append("&amp;");
+        case '<' -> out.append("&lt;");
+        case '>' -> out.append("&gt;");
+        default -> out.append(c);
+      }
+    }
+  }
+
+  private String hex(Ink ink) {
+    return "#" + Integer.toHexString(0x1000000 | ink.rgb(theme)).substring(1);
+  }
+}

@@ -1,0 +1,117 @@
+package dct.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import org.xml.sax.InputSource;
+
+class PictureFileTest {
+  private final Scene scene = Scene.of(Fixtures.flippedPentagon());
+
+  @Test
+  void pngShowsEachColourWhereItBelongs(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("picture.png");
+    PictureFile.write(scene, file);
+    BufferedImage image = ImageIO.read(file.toFile());
+    assertThat(image.getWidth()).isEqualTo(1000);
+    assertThat(image.getHeight()).isEqualTo(700);
+    Viewport view = PictureFile.fitted(scene);
+    // v2 has three edges after the flip, v0 two.
+    assertThat(at(image, view, 400, 200)).isEqualTo(Ink.ODD.rgb(Theme.LIGHT));
+    assertThat(at(image, view, 100, 100)).isEqualTo(Ink.EVEN.rgb(Theme.LIGHT));
+    assertThat(at(image, view, 200, 200)).isEqualTo(Ink.FLIPPED.rgb(Theme.LIGHT));
+    assertThat(at(image, view, 250, 250)).isEqualTo(Ink.PARTITION.rgb(Theme.LIGHT));
+    assertThat(image.getRGB(2, 2) & 0xFFFFFF).isEqualTo(0xFFFFFF);
+  }
+
+  private static int at(BufferedImage image, Viewport view, double x, double y) {
+    int px = (int) view.screenX(x);
+    int py = (int) view.screenY(y);
+    return image.getRGB(px, py) & 0xFFFFFF;
+  }
+
+  @Test
+  void svgIsValidAndHoldsOneElementAShape() throws Exception {
+    Document svg = parse(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700));
+    assertThat(svg.getElementsByTagName("line").getLength()).isEqualTo(7);
+    int discs = svg.getElementsByTagName("circle").getLength();
+    int squares = svg.getElementsByTagName("rect").getLength() - 1; // without the ground
+    assertThat(discs).isEqualTo(3);
+    assertThat(squares).isEqualTo(2);
+    assertThat(svg.getElementsByTagName("text").item(1).getTextContent())
+        .isEqualTo("After: Even 3 · Odd 2");
+  }
+
+  @Test
+  void svgNamesTheColoursOfItsGroups() throws Exception {
+    Document svg = parse(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700));
+    NodeList groups = svg.getElementsByTagName("g");
+    for (int i = 0; i < groups.getLength(); i++) {
+      Element group = (Element) groups.item(i);
+      Ink ink = Ink.valueOf(group.getAttribute("class").toUpperCase(Locale.ROOT));
+      String hex = "#" + Integer.toHexString(0x1000000 | ink.rgb(Theme.LIGHT)).substring(1);
+      assertThat(group.getAttribute("stroke")).isEqualTo(hex);
+    }
+    assertThat(groups.getLength()).isGreaterThan(4);
+  }
+
+  @Test
+  void svgNumbersHaveAPointInEveryLocale() throws Exception {
+    String here = PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700);
+    Locale old = Locale.getDefault();
+    try {
+      for (String tag : new String[] {"de-DE", "ar-EG-u-nu-arab", "hi-IN-u-nu-deva"}) {
+        Locale.setDefault(Locale.forLanguageTag(tag));
+        assertThat(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700))
+            .as(tag)
+            .isEqualTo(here);
+      }
+    } finally {
+      Locale.setDefault(old);
+    }
+  }
+
+  @Test
+  void svgEscapesText() throws Exception {
+    SvgPen pen = new SvgPen(10, 10, Theme.LIGHT);
+    pen.style(Stroke.fill(Ink.LABEL));
+    pen.text(1, 2, Pen.Anchor.START, 10, "a < b & c > d");
+    Document svg = parse(pen.finish());
+    assertThat(svg.getElementsByTagName("text").item(0).getTextContent())
+        .isEqualTo("a < b & c > d");
+  }
+
+  @Test
+  void anEndingThatIsNoPictureIsRefused(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("picture.bmp");
+    assertThatThrownBy(() -> PictureFile.write(scene, file))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining(".png");
+    assertThat(Files.exists(file)).isFalse();
+  }
+
+  @Test
+  void theEndingMayBeInCapitals(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("PICTURE.SVG");
+    PictureFile.write(scene, file);
+    assertThat(Files.readString(file)).startsWith("<?xml");
+  }
+
+  private static Document parse(String svg) throws Exception {
+    return DocumentBuilderFactory.newInstance()
+        .newDocumentBuilder()
+        .parse(new InputSource(new StringReader(svg)));
+  }
+}
