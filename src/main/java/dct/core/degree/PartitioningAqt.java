@@ -4,12 +4,25 @@ import dct.core.Progress;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Triangulation;
 
-/** To be written. */
+/**
+ * Many even vertices in a simple polygon: convex pieces ({@link
+ * dct.core.triangulate.HertelMehlhorn}), and {@link Aqt} in each (thesis, Algorithm 3.3).
+ *
+ * <p>Takes any simple polygon. Good where few convex pieces do, poor for long reflex chains
+ * (thesis, Figure 3.11). O(n log n) for the triangulation from which the pieces are merged, O(n)
+ * for the rest.
+ */
 public final class PartitioningAqt {
 
   private PartitioningAqt() {}
 
+  /**
+   * A triangulation of a simple polygon; the diagonals between convex pieces are of kind {@link
+   * dct.core.triangulate.EdgeKind#PARTITION}.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
   public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
-    return null;
+    return ConvexPieces.triangulate(ConvexPieces.of(polygon, progress), Aqt::cut, progress);
   }
 }

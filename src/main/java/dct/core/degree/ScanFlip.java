@@ -1,13 +1,131 @@
 package dct.core.degree;
 
+import dct.core.dcel.Dcel;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 
-/** To be written. */
+/**
+ * Flips diagonals so that more vertices become even (thesis, Algorithms 3.2 and 3.4).
+ *
+ * <p>Takes any triangulation. A diagonal d is flipped if the quadrilateral Q(d) of its two
+ * triangles is strictly convex (Rule 3) and has more than two odd vertices (Rule 4), if d was not
+ * processed (Condition 1) and was not made by a flip of this run (Condition 2). A flip marks the
+ * four edges round Q(d) as processed; a rejected diagonal is not marked.
+ *
+ * <p>For a polygon the vertices are scanned in their order, and at each one its diagonals
+ * counter-clockwise from the boundary edge to the next vertex, so that a rejected diagonal is
+ * looked at once from each end (proof of Theorem 3.2). For sites the interior edges are taken in
+ * the order of their numbers, each once. O(n) time.
+ *
+ * <p>A flip changes the parity of exactly the four corners of Q(d); with three or four of them odd,
+ * each flip gains 2 or 4 even vertices.
+ */
 public final class ScanFlip {
+  private final Triangulation before;
+  private final Points points;
+  private final Dcel dcel;
+  private final boolean[] processed; // by edge
+  private final boolean[] made; // by edge: by a flip of this run
+  private int flips;
 
-  private ScanFlip() {}
+  private ScanFlip(Triangulation triangulation) {
+    before = triangulation;
+    points = triangulation.points();
+    dcel = triangulation.dcel().copy();
+    processed = new boolean[triangulation.edgeCount()];
+    made = new boolean[triangulation.edgeCount()];
+  }
 
+  /** The triangulation before and after one scan. */
   public static FlipResult run(Triangulation triangulation) {
-    return null;
+    ScanFlip scan = new ScanFlip(triangulation);
+    if (triangulation.domain() == Domain.POLYGON) {
+      scan.scanVertices();
+    } else {
+      scan.scanEdges();
+    }
+    return scan.result();
+  }
+
+  private void scanVertices() {
+    for (int v = 0; v < points.size(); v++) {
+      int e = dcel.rotate(boundaryEdge(v));
+      while (!dcel.isBoundary(e >> 1)) {
+        int following = dcel.rotate(e); // a flip takes e away from v
+        consider(e);
+        e = following;
+      }
+    }
+  }
+
+  /** The half-edge from v along the boundary with the inside on its left. */
+  private int boundaryEdge(int v) {
+    int e = dcel.outEdge(v);
+    while (dcel.face(e ^ 1) != Dcel.OUTER) {
+      e = dcel.rotate(e);
+    }
+    return e;
+  }
+
+  private void scanEdges() {
+    for (int edge = 0; edge < processed.length; edge++) {
+      if (!dcel.isBoundary(edge)) {
+        consider(2 * edge);
+      }
+    }
+  }
+
+  private void consider(int e) {
+    boolean isOpen = !processed[e >> 1] && !made[e >> 1];
+    if (isOpen && hasThreeOdd(e) && isStrictlyConvex(e)) {
+      flip(e);
+    }
+  }
+
+  private boolean hasThreeOdd(int e) {
+    int odd = dcel.degree(dcel.origin(e)) & 1;
+    odd += dcel.degree(dcel.target(e)) & 1;
+    odd += dcel.degree(left(e)) & 1;
+    odd += dcel.degree(left(e ^ 1)) & 1;
+    return odd > 2;
+  }
+
+  /** The corner of the left triangle of e that is not on e. */
+  private int left(int e) {
+    return dcel.origin(dcel.prev(e));
+  }
+
+  private boolean isStrictlyConvex(int e) {
+    int a = dcel.origin(e);
+    int b = dcel.target(e);
+    int c = left(e);
+    int d = left(e ^ 1);
+    return points.orient(d, c, a) > 0 && points.orient(d, c, b) < 0;
+  }
+
+  private void flip(int e) {
+    mark(dcel.next(e));
+    mark(dcel.prev(e));
+    mark(dcel.next(e ^ 1));
+    mark(dcel.prev(e ^ 1));
+    dcel.flip(e);
+    made[e >> 1] = true;
+    flips++;
+  }
+
+  private void mark(int e) {
+    processed[e >> 1] = true;
+  }
+
+  private FlipResult result() {
+    Triangulation after =
+        new Triangulation(
+            before.domain(),
+            points,
+            dcel,
+            edge -> made[edge] ? EdgeKind.FLIPPED : before.kind(edge));
+    return new FlipResult(before, after, flips);
   }
 }

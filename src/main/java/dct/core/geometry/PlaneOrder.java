@@ -7,7 +7,7 @@ package dct.core.geometry;
  * <p>Radix sort of the bits of the coordinates, O(n) time and space; stable, so that equal points
  * keep the order of their numbers.
  */
-final class PlaneOrder {
+public final class PlaneOrder {
   private static final int DIGIT_BITS = 11;
   private static final int DIGITS = (Long.SIZE + DIGIT_BITS - 1) / DIGIT_BITS;
   private static final int RADIX = 1 << DIGIT_BITS;
@@ -15,7 +15,7 @@ final class PlaneOrder {
   private PlaneOrder() {}
 
   /** The numbers of the points, lowest first. */
-  static int[] byYThenX(Points points) {
+  public static int[] byYThenX(Points points) {
     int n = points.size();
     int[] order = new int[n];
     long[] keys = new long[n];

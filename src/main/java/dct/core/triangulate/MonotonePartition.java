@@ -1,21 +1,209 @@
 package dct.core.triangulate;
 
 import dct.core.Progress;
+import dct.core.dcel.Dcel;
+import dct.core.geometry.PlaneOrder;
+import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
+import dct.core.geometry.SweepStatus;
+import java.util.ArrayList;
 import java.util.List;
 
-/** To be written. */
+/**
+ * Cuts a simple polygon into y-monotone pieces by trapezoidalization (thesis, Algorithm 2.2).
+ *
+ * <p>Takes any simple polygon, straight vertices and level edges included: "above" means higher in
+ * the order by y, then x. Returns the pieces, or the trapezoid chords of Figure 2.4.
+ *
+ * <p>Plane sweep after Garey, Johnson, Preparata and Tarjan (1978): the sweep line passes over
+ * trapezoids, each known by its left edge; the supporting vertex on its upper side is kept. Where
+ * an interior cusp appears on a trapezoid's lower side, or one was on its upper side, the two
+ * supporting vertices are joined. O(n log n) expected time, O(n) space, exact. At most one diagonal
+ * a cusp; ties cannot occur, since no two vertices are level.
+ */
 public final class MonotonePartition {
+  private static final int STEPS_BETWEEN_REPORTS = 1 << 14;
 
-  private MonotonePartition() {}
+  private final SimplePolygon polygon;
+  private final Points points;
+  private final int n;
+  private final int[] order; // vertices, lowest first
+  private final int[] rank; // place of each position's vertex in that order
+  private final Dcel dcel;
+  private final SweepStatus status; // the left edges of the trapezoids; edge k leaves position k
+  private final int[] rightEdge; // by left edge: the right edge of the trapezoid
+  private final int[]
+      support; // by left edge: the half-edge that leaves the upper supporting vertex
+  private final boolean[] hangs; // by left edge: that vertex is a cusp above the trapezoid
+  private final List<Chord> chords; // null unless wanted
 
-  public static Partition partition(SimplePolygon polygon, Progress progress) {
-    return null;
+  private MonotonePartition(SimplePolygon polygon, boolean withChords) {
+    this.polygon = polygon;
+    points = polygon.points();
+    n = polygon.size();
+    order = PlaneOrder.byYThenX(points);
+    rank = new int[n];
+    for (int k = 0; k < n; k++) {
+      rank[position(order[k])] = k;
+    }
+    dcel = Dcel.cycle(polygon.walk());
+    status = new SweepStatus(points, n);
+    rightEdge = new int[n];
+    support = new int[n];
+    hangs = new boolean[n];
+    chords = withChords ? new ArrayList<>() : null;
   }
 
+  /**
+   * The monotone pieces of a simple polygon.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Partition partition(SimplePolygon polygon, Progress progress) {
+    MonotonePartition run = new MonotonePartition(polygon, false);
+    run.sweep(progress);
+    return new Partition(polygon, run.dcel);
+  }
+
+  /**
+   * The trapezoid chords of a simple polygon: from each vertex, level, as far as the inside goes.
+   */
+  public static List<Chord> chords(SimplePolygon polygon) {
+    MonotonePartition run = new MonotonePartition(polygon, true);
+    run.sweep(Progress.NONE);
+    return List.copyOf(run.chords);
+  }
+
+  /**
+   * A level line of sight.
+   *
+   * @param vertex where it starts
+   * @param x where it meets the boundary, rounded
+   * @param y the y-coordinate of both ends
+   */
   public record Chord(int vertex, double x, double y) {}
 
-  public static List<Chord> chords(SimplePolygon polygon) {
-    return null;
+  /** The position of a vertex on the counter-clockwise walk; its own inverse. */
+  private int position(int v) {
+    return polygon.vertex(v);
+  }
+
+  private int after(int k) {
+    return k + 1 == n ? 0 : k + 1;
+  }
+
+  private int before(int k) {
+    return k == 0 ? n - 1 : k - 1;
+  }
+
+  private void sweep(Progress progress) {
+    for (int i = n - 1; i >= 0; i--) {
+      if (i % STEPS_BETWEEN_REPORTS == 0) {
+        progress.checkCancelled();
+        progress.report(1 - (double) i / n, "Cutting into monotone pieces");
+      }
+      visit(position(order[i]));
+    }
+  }
+
+  private void visit(int k) {
+    boolean arrivesFromAbove = rank[before(k)] > rank[k];
+    boolean leavesUpwards = rank[after(k)] > rank[k];
+    if (arrivesFromAbove && !leavesUpwards) {
+      passLeft(k);
+    } else if (!arrivesFromAbove && leavesUpwards) {
+      passRight(k);
+    } else {
+      boolean convex = turn(k) > 0;
+      if (arrivesFromAbove) {
+        meet(k, convex);
+      } else {
+        part(k, convex);
+      }
+    }
+  }
+
+  private int turn(int k) {
+    return points.orient(polygon.vertex(before(k)), polygon.vertex(k), polygon.vertex(after(k)));
+  }
+
+  /** The boundary goes down through k, the inside is on its right. */
+  private void passLeft(int k) {
+    int old = before(k);
+    chord(k, rightEdge[old]);
+    if (hangs[old]) {
+      dcel.splitFace(2 * k, support[old]);
+    }
+    status.replace(old, k, polygon.vertex(k), polygon.vertex(after(k)));
+    openTrapezoid(k, rightEdge[old], 2 * k, false);
+  }
+
+  /** The boundary goes up through k, the inside is on its left. */
+  private void passRight(int k) {
+    int left = status.search(polygon.vertex(k));
+    chord(k, left);
+    int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
+    openTrapezoid(left, before(k), corner, false);
+  }
+
+  /** Both edges of k go down: the inside starts here, or is parted by a cusp. */
+  private void part(int k, boolean convex) {
+    int left = status.search(polygon.vertex(k));
+    status.insertAfter(left, k, polygon.vertex(k), polygon.vertex(after(k)));
+    if (convex) {
+      openTrapezoid(k, before(k), 2 * k, false);
+      return;
+    }
+    chord(k, left);
+    chord(k, rightEdge[left]);
+    int corner = dcel.splitFace(2 * k, support[left]);
+    openTrapezoid(k, rightEdge[left], 2 * k, false);
+    openTrapezoid(left, before(k), corner, false);
+  }
+
+  /** Both edges of k go up: the inside ends here, or two parts of it meet at a cusp. */
+  private void meet(int k, boolean convex) {
+    int right = before(k); // the left edge of the trapezoid that ends, or is right of the cusp
+    if (hangs[right]) {
+      dcel.splitFace(2 * k, support[right]);
+    }
+    int left = status.before(right);
+    status.remove(right);
+    if (convex) {
+      return;
+    }
+    chord(k, left);
+    chord(k, rightEdge[right]);
+    int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
+    openTrapezoid(left, rightEdge[right], corner, true);
+  }
+
+  private void openTrapezoid(int left, int right, int upperSupport, boolean cusp) {
+    rightEdge[left] = right;
+    support[left] = upperSupport;
+    hangs[left] = cusp;
+  }
+
+  /** Adds the chord from k to the edge; one of no length, along a level edge, is left out. */
+  private void chord(int k, int edge) {
+    if (chords == null) {
+      return;
+    }
+    int v = polygon.vertex(k);
+    int a = polygon.vertex(edge);
+    int b = polygon.vertex(after(edge));
+    double y = points.y(v);
+    double height = points.y(b) - points.y(a);
+    double x =
+        height == 0
+            ? nearer(points.x(v), points.x(a), points.x(b))
+            : points.x(a) + (y - points.y(a)) / height * (points.x(b) - points.x(a));
+    if (x != points.x(v)) {
+      chords.add(new Chord(v, x, y));
+    }
+  }
+
+  private static double nearer(double x, double a, double b) {
+    return Math.abs(a - x) < Math.abs(b - x) ? a : b;
   }
 }

@@ -1,0 +1,359 @@
+package dct.core.triangulate;
+
+import dct.core.Progress;
+import dct.core.dcel.Dcel;
+import dct.core.geometry.Predicates;
+import java.util.concurrent.RecursiveTask;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/**
+ * The recursion of {@link Delaunay} over {@link KdOrder}, on half-edge arrays as in {@link Dcel};
+ * names as in Guibas and Stolfi (1985), Figure 23.
+ *
+ * <p>The part [lo, hi) owns the edges 3·lo … 3·hi − 1, which is enough, since m sites have at most
+ * 3m − 3 edges. Those not in use are linked into a list of the part through {@code prev}; their
+ * {@code next} is {@link Dcel#NONE}.
+ */
+final class DelaunayMerge {
+  private static final int PARALLEL = 1 << 12; // parts of at least this size are forked
+  private static final int REPORTED = 1 << 13; // parts of at least this size report progress
+
+  final int[] next;
+  final int[] prev;
+  private final int[] origin; // a place in the kd-order
+  private final KdOrder order;
+  private final double[] x;
+  private final double[] y;
+  private final Progress progress;
+  private final AtomicInteger done = new AtomicInteger();
+
+  DelaunayMerge(KdOrder order, Progress progress) {
+    this.order = order;
+    this.progress = progress;
+    x = order.x;
+    y = order.y;
+    next = new int[6 * x.length];
+    prev = new int[6 * x.length];
+    origin = new int[6 * x.length];
+  }
+
+  /** Triangulates all sites; returns a half-edge of the outer face. */
+  int run() {
+    return new Task(0, x.length, true).invoke().ldo ^ 1;
+  }
+
+  /** The sites that the half-edges leave; the places are gone afterwards. */
+  int[] originSites() {
+    for (int e = 0; e < origin.length; e++) {
+      if (next[e] != Dcel.NONE) {
+        origin[e] = order.site[origin[e]];
+      }
+    }
+    return origin;
+  }
+
+  /** What a merge needs to know of a triangulated part. */
+  private static final class Part {
+    int ldo; // counter-clockwise hull half-edge that leaves the first site along the axis
+    int rdo; // clockwise hull half-edge that leaves the last site along the axis
+    int free = Dcel.NONE; // first of the part's edges not in use
+    int lastFree = Dcel.NONE;
+  }
+
+  private final class Task extends RecursiveTask<Part> {
+    private static final long serialVersionUID = 1L;
+    private final int lo;
+    private final int hi;
+    private final boolean byX;
+
+    Task(int lo, int hi, boolean byX) {
+      this.lo = lo;
+      this.hi = hi;
+      this.byX = byX;
+    }
+
+    @Override
+    protected Part compute() {
+      if (hi - lo < PARALLEL) {
+        return triangulate(lo, hi, byX);
+      }
+      int middle = KdOrder.middle(lo, hi);
+      Task left = new Task(lo, middle, !byX);
+      left.fork();
+      Part right = new Task(middle, hi, !byX).compute();
+      return mergeAlong(left.join(), right, byX, hi - lo);
+    }
+  }
+
+  private Part triangulate(int lo, int hi, boolean byX) {
+    if (hi - lo == 2) {
+      return segment(lo, byX);
+    }
+    if (hi - lo == 3) {
+      return triangle(lo, byX);
+    }
+    int middle = KdOrder.middle(lo, hi);
+    Part left = triangulate(lo, middle, !byX);
+    Part right = triangulate(middle, hi, !byX);
+    return mergeAlong(left, right, byX, hi - lo);
+  }
+
+  private Part mergeAlong(Part left, Part right, boolean byX, int sites) {
+    if (sites >= REPORTED) {
+      progress.checkCancelled();
+      // Each level of the recursion handles every site once; the levels below are not reported.
+      double levels = Math.max(1, Math.log((double) x.length / REPORTED) / Math.log(2) + 1);
+      double fraction = done.addAndGet(sites) / (levels * x.length);
+      progress.report(0.1 + 0.8 * Math.min(1, fraction), "Merging Delaunay triangulations");
+    }
+    turn(left, byX);
+    turn(right, byX);
+    return merge(left, right);
+  }
+
+  // ---- small parts
+
+  private Part segment(int lo, boolean byX) {
+    Part part = new Part();
+    int a = makeEdge(3 * lo, lo, lo + 1);
+    part.ldo = a;
+    part.rdo = a ^ 1;
+    release(part, 3 * lo + 1, 3 * (lo + 2));
+    turn(part, byX);
+    return part;
+  }
+
+  private Part triangle(int lo, boolean byX) {
+    Part part = new Part();
+    int a = makeEdge(3 * lo, lo, lo + 1);
+    int b = makeEdge(3 * lo + 1, lo + 1, lo + 2);
+    link(a, b);
+    link(b ^ 1, a ^ 1);
+    int turn = orient(lo, lo + 1, lo + 2);
+    int firstFree = 3 * lo + 2;
+    part.ldo = a;
+    part.rdo = b ^ 1;
+    if (turn != 0) {
+      int c = connect(firstFree++, b, a);
+      if (turn < 0) {
+        part.ldo = c ^ 1;
+        part.rdo = c;
+      }
+    }
+    release(part, firstFree, 3 * (lo + 3));
+    turn(part, byX);
+    return part;
+  }
+
+  private void release(Part part, int firstEdge, int endEdge) {
+    for (int edge = endEdge - 1; edge >= firstEdge; edge--) {
+      free(part, 2 * edge);
+    }
+  }
+
+  private void free(Part part, int e) {
+    next[e] = Dcel.NONE;
+    next[e ^ 1] = Dcel.NONE;
+    prev[e] = part.free;
+    part.free = e;
+    if (part.lastFree == Dcel.NONE) {
+      part.lastFree = e;
+    }
+  }
+
+  private int take(Part part) {
+    int e = part.free;
+    part.free = prev[e];
+    if (part.free == Dcel.NONE) {
+      part.lastFree = Dcel.NONE;
+    }
+    return e >> 1;
+  }
+
+  // ---- the hull: counter-clockwise half-edges, whose twins border the outer face
+
+  /** Moves the part's two half-edges along the hull to its first and last site by x or by y. */
+  private void turn(Part part, boolean byX) {
+    int e = part.ldo;
+    while (precedes(e ^ 1, e, byX)) {
+      e = hullAfter(e);
+    }
+    while (precedes(hullBefore(e), e, byX)) {
+      e = hullBefore(e);
+    }
+    int f = part.rdo ^ 1;
+    while (precedes(f ^ 1, f, byX)) {
+      f = hullBefore(f);
+    }
+    while (precedes(f ^ 1, hullAfter(f) ^ 1, byX)) {
+      f = hullAfter(f);
+    }
+    part.ldo = e;
+    part.rdo = f ^ 1;
+  }
+
+  /** Whether the site that e leaves precedes the one that f leaves. */
+  private boolean precedes(int e, int f, boolean byX) {
+    return order.precedes(origin[e], origin[f], byX);
+  }
+
+  private int hullAfter(int e) {
+    return prev[e ^ 1] ^ 1;
+  }
+
+  private int hullBefore(int e) {
+    return next[e ^ 1] ^ 1;
+  }
+
+  // ---- the merge
+
+  /** Joins two parts, all sites of the first before all of the second along the axis. */
+  private Part merge(Part left, Part right) {
+    int ldo = left.ldo;
+    int ldi = left.rdo;
+    int rdi = right.ldo;
+    int rdo = right.rdo;
+    while (true) { // to the lower common tangent
+      if (isLeftOf(origin[rdi], ldi)) {
+        ldi = next[ldi];
+      } else if (isRightOf(origin[ldi], rdi)) {
+        rdi = hullAfter(rdi);
+      } else {
+        break;
+      }
+    }
+    Part part = concatenate(left, right);
+    int basel = connect(take(part), rdi ^ 1, ldi);
+    part.ldo = origin[ldi] == origin[ldo] ? basel ^ 1 : ldo;
+    part.rdo = origin[rdi] == origin[rdo] ? basel : rdo;
+    rise(part, basel);
+    return part;
+  }
+
+  private Part concatenate(Part left, Part right) {
+    if (left.free == Dcel.NONE) {
+      return right;
+    }
+    if (right.free != Dcel.NONE) {
+      prev[left.lastFree] = right.free;
+      left.lastFree = right.lastFree;
+    }
+    return left;
+  }
+
+  /** Merges upwards from the base edge, which runs from the right part to the left one. */
+  private void rise(Part part, int lowerTangent) {
+    int basel = lowerTangent;
+    while (true) {
+      int lcand = leftCandidate(part, basel);
+      int rcand = rightCandidate(part, basel);
+      if (lcand == Dcel.NONE && rcand == Dcel.NONE) {
+        return; // the upper common tangent
+      }
+      boolean takeRight =
+          lcand == Dcel.NONE
+              || (rcand != Dcel.NONE
+                  && inCircle(origin[lcand ^ 1], origin[lcand], origin[rcand], origin[rcand ^ 1]));
+      basel =
+          takeRight
+              ? connect(take(part), rcand, basel ^ 1)
+              : connect(take(part), basel ^ 1, lcand ^ 1);
+    }
+  }
+
+  /**
+   * The edge from the base's left end to the site that the rising bubble meets first, after
+   * removing those that the bubble destroys; {@link Dcel#NONE} if no site there is above the base.
+   */
+  private int leftCandidate(Part part, int basel) {
+    int lcand = prev[basel ^ 1] ^ 1;
+    if (!isRightOf(origin[lcand ^ 1], basel)) {
+      return Dcel.NONE;
+    }
+    int following = prev[lcand] ^ 1;
+    while (destroys(basel, lcand, following)) {
+      delete(part, lcand);
+      lcand = following;
+      following = prev[lcand] ^ 1;
+    }
+    return lcand;
+  }
+
+  /** The same from the base's right end. */
+  private int rightCandidate(Part part, int basel) {
+    int rcand = next[basel ^ 1];
+    if (!isRightOf(origin[rcand ^ 1], basel)) {
+      return Dcel.NONE;
+    }
+    int following = next[rcand ^ 1];
+    while (destroys(basel, rcand, following)) {
+      delete(part, rcand);
+      rcand = following;
+      following = next[rcand ^ 1];
+    }
+    return rcand;
+  }
+
+  /**
+   * Whether the end of {@code following} is inside the circle through the base and the candidate.
+   */
+  private boolean destroys(int basel, int candidate, int following) {
+    return inCircle(origin[basel ^ 1], origin[basel], origin[candidate ^ 1], origin[following ^ 1]);
+  }
+
+  // ---- operators
+
+  private int makeEdge(int edge, int from, int to) {
+    int e = 2 * edge;
+    origin[e] = from;
+    origin[e ^ 1] = to;
+    link(e, e ^ 1);
+    link(e ^ 1, e);
+    return e;
+  }
+
+  /** A new edge from the end of a to the start of b, on the left of both. */
+  private int connect(int edge, int a, int b) {
+    int e = 2 * edge;
+    int t = e ^ 1;
+    origin[e] = origin[a ^ 1];
+    origin[t] = origin[b];
+    link(t, next[a]);
+    link(prev[b], t);
+    link(a, e);
+    link(e, b);
+    return e;
+  }
+
+  private void delete(Part part, int e) {
+    int t = e ^ 1;
+    int nextOfT = next[t];
+    int prevOfT = prev[t];
+    link(prev[e], nextOfT);
+    link(prevOfT, next[e]);
+    free(part, e & ~1);
+  }
+
+  private void link(int e, int following) {
+    next[e] = following;
+    prev[following] = e;
+  }
+
+  // ---- predicates on places
+
+  private int orient(int a, int b, int c) {
+    return Predicates.orient(x[a], y[a], x[b], y[b], x[c], y[c]);
+  }
+
+  private boolean isLeftOf(int v, int e) {
+    return orient(v, origin[e], origin[e ^ 1]) > 0;
+  }
+
+  private boolean isRightOf(int v, int e) {
+    return orient(v, origin[e ^ 1], origin[e]) > 0;
+  }
+
+  private boolean inCircle(int a, int b, int c, int d) {
+    return Predicates.inCircle(x[a], y[a], x[b], y[b], x[c], y[c], x[d], y[d]) > 0;
+  }
+}
