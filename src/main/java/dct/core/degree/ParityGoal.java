@@ -1,0 +1,84 @@
+package dct.core.degree;
+
+import dct.core.triangulate.Triangulation;
+import java.util.Arrays;
+
+/**
+ * The parity that is wished for each vertex' degree; immutable. All even is the thesis's problem,
+ * all odd its counterpart; a vertex may also be left free.
+ */
+public final class ParityGoal {
+
+  /** What is wished of one vertex. */
+  public enum Wish {
+    EVEN,
+    ODD,
+    ANY;
+
+    /** Whether a vertex of this degree satisfies the wish. */
+    public boolean isSatisfiedBy(int degree) {
+      return this == ANY || (degree & 1) == (this == ODD ? 1 : 0);
+    }
+  }
+
+  private final Wish[] wishes; // by vertex
+
+  private ParityGoal(Wish[] wishes) {
+    this.wishes = wishes;
+  }
+
+  /** Every one of n vertices even. */
+  public static ParityGoal allEven(int n) {
+    return all(n, Wish.EVEN);
+  }
+
+  /** Every one of n vertices odd. */
+  public static ParityGoal allOdd(int n) {
+    return all(n, Wish.ODD);
+  }
+
+  private static ParityGoal all(int n, Wish wish) {
+    Wish[] wishes = new Wish[n];
+    Arrays.fill(wishes, wish);
+    return new ParityGoal(wishes);
+  }
+
+  /** A wish for each vertex; the array is copied. */
+  public static ParityGoal of(Wish... wishes) {
+    return new ParityGoal(wishes.clone());
+  }
+
+  /** The number of vertices. */
+  public int size() {
+    return wishes.length;
+  }
+
+  /** What is wished of vertex v. */
+  public Wish wish(int v) {
+    return wishes[v];
+  }
+
+  /** Whether the same is wished of every vertex. */
+  public boolean isAll(Wish wish) {
+    for (Wish w : wishes) {
+      if (w != wish) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether vertex v has the parity wished in this triangulation. */
+  public boolean isSatisfied(Triangulation triangulation, int v) {
+    return wishes[v].isSatisfiedBy(triangulation.degree(v));
+  }
+
+  /** How many vertices do not have the parity wished, in linear time. */
+  public int unsatisfied(Triangulation triangulation) {
+    int unsatisfied = 0;
+    for (int v = 0; v < wishes.length; v++) {
+      unsatisfied += isSatisfied(triangulation, v) ? 0 : 1;
+    }
+    return unsatisfied;
+  }
+}
