@@ -20,7 +20,7 @@ final class GrownPolygon {
       double x = random.nextInt(range);
       double y = random.nextInt(range);
       int edge = random.nextInt(p.size());
-      for (int k = 0; k < p.size(); k++) {
+      for (int k = 0; k < Math.min(p.size(), 12); k++) {
         Points longer = p.inserted((edge + k) % p.size() + 1, x, y);
         if (mayInsert(longer, (edge + k) % p.size() + 1)) {
           p = longer;

@@ -1,5 +1,7 @@
 package dct.core.dcel;
 
+import java.util.function.IntConsumer;
+
 /** The laws of a {@link Dcel}, checked in an order in which each may rely on those before it. */
 final class DcelValidator {
   private final Dcel dcel;
@@ -9,15 +11,19 @@ final class DcelValidator {
   }
 
   void validate() {
-    for (int e = 0; e < 2 * dcel.edgeBound(); e++) {
-      if (dcel.hasEdge(e >> 1)) {
-        checkHandles(e);
-        checkLinks(e);
-      }
-    }
+    forEachHalfEdge(this::checkHandles);
+    forEachHalfEdge(this::checkLinks);
     checkVertices();
     checkFaces();
     checkEuler();
+  }
+
+  private void forEachHalfEdge(IntConsumer check) {
+    for (int e = 0; e < 2 * dcel.edgeBound(); e++) {
+      if (dcel.hasEdge(e >> 1)) {
+        check.accept(e);
+      }
+    }
   }
 
   private void checkHandles(int e) {
@@ -50,11 +56,7 @@ final class DcelValidator {
   /** The half-edges that leave a vertex are one turn of {@code rotate}, and degree counts them. */
   private void checkVertices() {
     int[] leaving = new int[dcel.vertexCount()];
-    for (int e = 0; e < 2 * dcel.edgeBound(); e++) {
-      if (dcel.hasEdge(e >> 1)) {
-        leaving[dcel.origin[e]]++;
-      }
-    }
+    forEachHalfEdge(e -> leaving[dcel.origin[e]]++);
     for (int v = 0; v < dcel.vertexCount(); v++) {
       require(dcel.degree[v] == leaving[v], "degree(v) counts the edges at v", "vertex", v);
       int out = dcel.outEdge[v];
@@ -79,11 +81,7 @@ final class DcelValidator {
   /** The half-edges labelled with a face are one cycle of {@code next}. */
   private void checkFaces() {
     int[] labelled = new int[dcel.faceBound()];
-    for (int e = 0; e < 2 * dcel.edgeBound(); e++) {
-      if (dcel.hasEdge(e >> 1)) {
-        labelled[dcel.face[e]]++;
-      }
-    }
+    forEachHalfEdge(e -> labelled[dcel.face[e]]++);
     for (int f = 0; f < dcel.faceBound(); f++) {
       if (dcel.hasFace(f) && dcel.edgeCount() > 0) {
         int start = dcel.faceEdge[f];

@@ -40,14 +40,19 @@ public final class Predicates {
    * @return −1, 0 or 1
    */
   public static int orient(double ax, double ay, double bx, double by, double cx, double cy) {
+    double det = filteredOrient(ax, ay, bx, by, cx, cy);
+    return det != 0 ? (det > 0 ? 1 : -1) : orientExactly(ax, ay, bx, by, cx, cy);
+  }
+
+  /** The determinant in floating point if its sign is certain, or else zero. */
+  private static double filteredOrient(
+      double ax, double ay, double bx, double by, double cx, double cy) {
     double left = (ax - cx) * (by - cy);
     double right = (ay - cy) * (bx - cx);
     double det = left - right;
     double magnitude = Math.abs(left) + Math.abs(right);
-    if (Math.abs(det) > ORIENT_BOUND * magnitude && magnitude > ORIENT_SMALLEST) {
-      return det > 0 ? 1 : -1;
-    }
-    return orientExactly(ax, ay, bx, by, cx, cy);
+    boolean certain = Math.abs(det) > ORIENT_BOUND * magnitude && magnitude > ORIENT_SMALLEST;
+    return certain ? det : 0;
   }
 
   /**
@@ -57,6 +62,13 @@ public final class Predicates {
    * @return −1, 0 or 1
    */
   public static int inCircle(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    double det = filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy);
+    return det != 0 ? (det > 0 ? 1 : -1) : inCircleExactly(ax, ay, bx, by, cx, cy, dx, dy);
+  }
+
+  /** The determinant in floating point if its sign is certain, or else zero. */
+  private static double filteredInCircle(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
     double adx = ax - dx;
     double ady = ay - dy;
@@ -78,23 +90,30 @@ public final class Predicates {
         aLift * (Math.abs(bc) + Math.abs(cb))
             + bLift * (Math.abs(ca) + Math.abs(ac))
             + cLift * (Math.abs(ab) + Math.abs(ba));
-    if (Math.abs(det) > IN_CIRCLE_BOUND * magnitude
-        && magnitude > IN_CIRCLE_SMALLEST
-        && aLift + bLift + cLift < IN_CIRCLE_LARGEST_LIFT) {
-      return det > 0 ? 1 : -1;
-    }
-    return inCircleExactly(ax, ay, bx, by, cx, cy, dx, dy);
+    boolean certain =
+        Math.abs(det) > IN_CIRCLE_BOUND * magnitude
+            && magnitude > IN_CIRCLE_SMALLEST
+            && aLift + bLift + cLift < IN_CIRCLE_LARGEST_LIFT;
+    return certain ? det : 0;
   }
 
   /** The stage that decides {@link #orient} for these arguments. */
   static Stage orientStage(double ax, double ay, double bx, double by, double cx, double cy) {
-    double left = (ax - cx) * (by - cy);
-    double right = (ay - cy) * (bx - cx);
-    double magnitude = Math.abs(left) + Math.abs(right);
-    if (Math.abs(left - right) > ORIENT_BOUND * magnitude && magnitude > ORIENT_SMALLEST) {
-      return Stage.FILTER;
-    }
-    return isModerate(ax, ay, bx, by, cx, cy) ? Stage.EXPANSION : Stage.BIG_DECIMAL;
+    return filteredOrient(ax, ay, bx, by, cx, cy) != 0
+        ? Stage.FILTER
+        : exactStage(ax, ay, bx, by, cx, cy);
+  }
+
+  /** The stage that decides {@link #inCircle} for these arguments. */
+  static Stage inCircleStage(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    return filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy) != 0
+        ? Stage.FILTER
+        : exactStage(ax, ay, bx, by, cx, cy, dx, dy);
+  }
+
+  private static Stage exactStage(double... coordinates) {
+    return isModerate(coordinates) ? Stage.EXPANSION : Stage.BIG_DECIMAL;
   }
 
   private static int orientExactly(

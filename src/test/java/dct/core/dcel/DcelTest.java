@@ -1,0 +1,361 @@
+package dct.core.dcel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The operators of {@link Dcel} on random sequences, each against its law and the validator. */
+class DcelTest {
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 5, 17, 100})
+  void aCycleIsWhatItSays(int n) {
+    Dcel dcel = Dcel.cycle(walk(n));
+    dcel.validate();
+    assertThat(dcel.vertexCount()).isEqualTo(n);
+    assertThat(dcel.edgeCount()).isEqualTo(n);
+    assertThat(dcel.faceCount()).isEqualTo(2);
+    for (int k = 0; k < n; k++) {
+      assertThat(dcel.origin(2 * k)).isEqualTo(k);
+      assertThat(dcel.target(2 * k)).isEqualTo((k + 1) % n);
+      assertThat(dcel.face(2 * k)).isEqualTo(1);
+      assertThat(dcel.face(2 * k + 1)).isEqualTo(Dcel.OUTER);
+      assertThat(dcel.degree(k)).isEqualTo(2);
+      assertThat(dcel.isBoundary(k)).isTrue();
+    }
+  }
+
+  @Test
+  void aCycleKeepsTheNumbersOfTheWalk() {
+    Dcel dcel = Dcel.cycle(0, 3, 2, 1);
+    dcel.validate();
+    assertThat(dcel.origin(2)).isEqualTo(3);
+    assertThat(dcel.target(2)).isEqualTo(2);
+  }
+
+  @Test
+  void splitFaceLeavesBOnTheLeftAndAOnTheRight() {
+    for (int seed = 0; seed < 200; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = Dcel.cycle(walk(3 + random.nextInt(20)));
+      for (int[] pair = splittable(dcel, random); pair != null; pair = splittable(dcel, random)) {
+        int a = pair[0];
+        int b = pair[1];
+        int edges = dcel.edgeCount();
+        int faces = dcel.faceCount();
+        int d = dcel.splitFace(a, b);
+        dcel.validate();
+        assertThat(dcel.origin(d)).as("seed %d", seed).isEqualTo(dcel.origin(a));
+        assertThat(dcel.target(d)).isEqualTo(dcel.origin(b));
+        assertThat(dcel.next(d)).isEqualTo(b);
+        assertThat(dcel.next(Dcel.twin(d))).isEqualTo(a);
+        assertThat(dcel.face(d)).isEqualTo(dcel.face(b)).isNotEqualTo(dcel.face(a));
+        assertThat(dcel.edgeCount()).isEqualTo(edges + 1);
+        assertThat(dcel.faceCount()).isEqualTo(faces + 1);
+      }
+      assertThat(dcel.edgeCount()).isEqualTo(2 * dcel.vertexCount() - 3);
+    }
+  }
+
+  @Test
+  void joinFacesUndoesSplitFace() {
+    for (int seed = 0; seed < 500; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = randomSubdivision(random);
+      int[] pair = splittable(dcel, random);
+      if (pair != null) {
+        String before = snapshot(dcel);
+        int d = dcel.splitFace(pair[0], pair[1]);
+        assertThat(dcel.canJoin(d)).isTrue();
+        assertThat(dcel.joinFaces(d)).as("seed %d", seed).isEqualTo(pair[0]);
+        dcel.validate();
+        assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+      }
+    }
+  }
+
+  @Test
+  void splitFaceUndoesJoinFaces() {
+    for (int seed = 0; seed < 500; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = randomSubdivision(random);
+      List<Integer> inner = handles(dcel).stream().filter(dcel::canJoin).toList();
+      if (!inner.isEmpty()) {
+        int e = inner.get(random.nextInt(inner.size()));
+        int b = dcel.next(e);
+        String before = snapshot(dcel);
+        int a = dcel.joinFaces(e);
+        dcel.validate();
+        int d = dcel.splitFace(a, b);
+        dcel.validate();
+        assertThat(d >> 1).as("the number is used again, seed %d", seed).isEqualTo(e >> 1);
+        assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+      }
+    }
+  }
+
+  @Test
+  void fourFlipsRestoreTheHandleAndTwoTheEdge() {
+    for (int seed = 0; seed < 500; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulated(4 + random.nextInt(20), random);
+      List<Integer> flippable = handles(dcel).stream().filter(dcel::canFlip).toList();
+      int e = flippable.get(random.nextInt(flippable.size()));
+      String before = snapshot(dcel);
+      int from = dcel.origin(e);
+      int to = dcel.target(e);
+      int left = dcel.origin(dcel.prev(e));
+      int right = dcel.origin(dcel.prev(Dcel.twin(e)));
+      dcel.flip(e);
+      dcel.validate();
+      assertThat(dcel.origin(e)).as("seed %d", seed).isEqualTo(right);
+      assertThat(dcel.target(e)).isEqualTo(left);
+      dcel.flip(e);
+      dcel.validate();
+      assertThat(dcel.origin(e)).isEqualTo(to);
+      assertThat(dcel.target(e)).isEqualTo(from);
+      dcel.flip(e);
+      dcel.flip(e);
+      dcel.validate();
+      assertThat(dcel.origin(e)).isEqualTo(from);
+      assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void longRandomSequencesKeepEveryLaw() {
+    for (int seed = 0; seed < 60; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = Dcel.cycle(walk(3 + random.nextInt(30)));
+      for (int step = 0; step < 300; step++) {
+        change(dcel, random);
+        dcel.validate();
+      }
+    }
+  }
+
+  @Test
+  void rotateGoesOnceRoundAVertex() {
+    Dcel dcel = triangulated(30, new Random(1));
+    for (int e : handles(dcel)) {
+      assertThat(dcel.origin(dcel.rotate(e))).isEqualTo(dcel.origin(e));
+      assertThat(dcel.rotateBack(dcel.rotate(e))).isEqualTo(e);
+      assertThat(dcel.rotate(dcel.rotateBack(e))).isEqualTo(e);
+    }
+  }
+
+  @Test
+  void guardsRefuseWhatCannotBeDone() {
+    Dcel square = Dcel.cycle(0, 1, 2, 3);
+    assertThat(square.canSplit(0, 4)).isTrue();
+    assertThat(square.canSplit(0, 0)).as("itself").isFalse();
+    assertThat(square.canSplit(0, 2)).as("a neighbour").isFalse();
+    assertThat(square.canSplit(2, 0)).as("a neighbour").isFalse();
+    assertThat(square.canSplit(0, 5)).as("two faces").isFalse();
+    assertThat(square.canSplit(1, 5)).as("the outer face").isFalse();
+    assertThat(square.canJoin(0)).as("a boundary edge").isFalse();
+    assertThat(square.canFlip(0)).as("a boundary edge").isFalse();
+    int d = square.splitFace(0, 4);
+    assertThat(square.canFlip(d)).isTrue();
+    assertThat(square.canFlip(0)).isFalse();
+    assertThat(square.isTriangle(d)).isTrue();
+  }
+
+  @Test
+  void aFlipNeedsTwoTriangles() {
+    Dcel pentagon = Dcel.cycle(0, 1, 2, 3, 4);
+    int d = pentagon.splitFace(0, 4);
+    assertThat(pentagon.canFlip(d)).isFalse();
+    assertThat(pentagon.canFlip(d ^ 1)).isFalse();
+  }
+
+  @Test
+  void aFrozenSubdivisionRefusesEveryOperatorAndItsCopyDoesNot() {
+    Dcel dcel = Dcel.cycle(walk(6));
+    int d = dcel.splitFace(0, 4);
+    dcel.splitFace(4, 8);
+    String before = snapshot(dcel.freeze());
+    assertThatThrownBy(() -> dcel.splitFace(4, 10)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.joinFaces(d)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.flip(d)).isInstanceOf(IllegalStateException.class);
+    assertThat(snapshot(dcel)).isEqualTo(before);
+    Dcel copy = dcel.copy();
+    copy.joinFaces(d);
+    copy.validate();
+    assertThat(snapshot(dcel)).isEqualTo(before);
+    dcel.validate();
+  }
+
+  @Test
+  void withoutGivesWhatJoiningOneByOneGives() {
+    for (int seed = 0; seed < 300; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulated(4 + random.nextInt(25), random);
+      BitSet removed = new BitSet();
+      Dcel joined = dcel.copy();
+      for (int edge = 0; edge < dcel.edgeBound(); edge++) {
+        if (!dcel.isBoundary(edge) && random.nextBoolean()) {
+          removed.set(edge);
+          joined.joinFaces(2 * edge);
+        }
+      }
+      Dcel without = dcel.freeze().without(removed);
+      without.validate();
+      assertThat(without.edgeBound()).as("no gaps").isEqualTo(without.edgeCount());
+      assertThat(snapshot(without)).as("seed %d", seed).isEqualTo(snapshot(joined));
+    }
+  }
+
+  @Test
+  void withoutKeepsTheOrderOfTheEdges() {
+    Dcel dcel = triangulated(12, new Random(5));
+    BitSet removed = new BitSet();
+    removed.set(14);
+    removed.set(17);
+    Dcel without = dcel.without(removed);
+    int k = 0;
+    for (int edge = 0; edge < dcel.edgeBound(); edge++) {
+      if (!removed.get(edge)) {
+        assertThat(without.origin(2 * k)).isEqualTo(dcel.origin(2 * edge));
+        assertThat(without.target(2 * k++)).isEqualTo(dcel.target(2 * edge));
+      }
+    }
+  }
+
+  @Test
+  void ofRebuildsASubdivisionAndLeavesRemovedEdgesOut() {
+    for (int seed = 0; seed < 300; seed++) {
+      Dcel dcel = randomSubdivision(new Random(seed));
+      Dcel same =
+          Dcel.of(
+              dcel.vertexCount(),
+              Arrays.copyOf(dcel.next, 2 * dcel.edgeBound()),
+              dcel.prev,
+              dcel.origin,
+              dcel.faceEdge(Dcel.OUTER));
+      same.validate();
+      assertThat(snapshot(same)).as("seed %d", seed).isEqualTo(snapshot(dcel));
+    }
+  }
+
+  @Test
+  void ofKeepsIsolatedVertices() {
+    Dcel path =
+        Dcel.of(4, new int[] {2, 0, 3, 1}, new int[] {1, 3, 0, 2}, new int[] {0, 1, 1, 2}, 0);
+    path.validate();
+    assertThat(path.degree(3)).isZero();
+    assertThat(path.outEdge(3)).isEqualTo(Dcel.NONE);
+    assertThat(path.faceCount()).isEqualTo(1);
+    assertThat(path.isBoundary(0)).isTrue();
+  }
+
+  @Test
+  void aLongFanStaysLinear() {
+    int n = 200_000;
+    Dcel dcel = Dcel.cycle(walk(n));
+    int a = 0;
+    for (int k = 2; k < n - 1; k++) {
+      a = dcel.splitFace(a, 2 * k); // n − 3 ear cuts, quadratic if the long side were relabelled
+    }
+    dcel.validate();
+    assertThat(dcel.degree(0)).isEqualTo(n - 1);
+  }
+
+  private static int[] walk(int n) {
+    int[] walk = new int[n];
+    Arrays.setAll(walk, k -> k);
+    return walk;
+  }
+
+  private static Dcel triangulated(int n, Random random) {
+    Dcel dcel = Dcel.cycle(walk(n));
+    for (int[] pair = splittable(dcel, random); pair != null; pair = splittable(dcel, random)) {
+      dcel.splitFace(pair[0], pair[1]);
+    }
+    return dcel;
+  }
+
+  private static Dcel randomSubdivision(Random random) {
+    Dcel dcel = Dcel.cycle(walk(4 + random.nextInt(20)));
+    for (int step = random.nextInt(60); step > 0; step--) {
+      change(dcel, random);
+    }
+    return dcel;
+  }
+
+  /** One random operator, if its guard allows it. */
+  private static void change(Dcel dcel, Random random) {
+    List<Integer> handles = handles(dcel);
+    int e = handles.get(random.nextInt(handles.size()));
+    int f = handles.get(random.nextInt(handles.size()));
+    switch (random.nextInt(4)) {
+      case 0 -> {
+        if (dcel.canJoin(e)) {
+          dcel.joinFaces(e);
+        }
+      }
+      case 1 -> {
+        if (dcel.canFlip(e)) {
+          dcel.flip(e);
+        }
+      }
+      default -> {
+        if (dcel.canSplit(e, f)) {
+          dcel.splitFace(e, f);
+        }
+      }
+    }
+  }
+
+  /** Two half-edges that a face can be split between, or null if all are triangles. */
+  private static int[] splittable(Dcel dcel, Random random) {
+    List<int[]> pairs = new ArrayList<>();
+    List<Integer> handles = handles(dcel);
+    for (int a : handles) {
+      for (int b : handles) {
+        if (dcel.canSplit(a, b)) {
+          pairs.add(new int[] {a, b});
+        }
+      }
+    }
+    return pairs.isEmpty() ? null : pairs.get(random.nextInt(pairs.size()));
+  }
+
+  private static List<Integer> handles(Dcel dcel) {
+    List<Integer> handles = new ArrayList<>();
+    for (int e = 0; e < 2 * dcel.edgeBound(); e++) {
+      if (dcel.hasEdge(e >> 1)) {
+        handles.add(e);
+      }
+    }
+    return handles;
+  }
+
+  /** The subdivision by its vertices: each face as its cycle from its least vertex, sorted. */
+  private static String snapshot(Dcel dcel) {
+    List<String> faces = new ArrayList<>();
+    for (int e : handles(dcel)) {
+      StringBuilder cycle = new StringBuilder(dcel.face(e) == Dcel.OUTER ? "outer" : "");
+      int f = e;
+      do {
+        cycle.append(' ').append(dcel.origin(f));
+        f = dcel.next(f);
+      } while (f != e);
+      faces.add(cycle.toString());
+    }
+    faces.sort(null);
+    List<Integer> degrees = new ArrayList<>();
+    for (int v = 0; v < dcel.vertexCount(); v++) {
+      degrees.add(dcel.degree(v));
+    }
+    return faces + " " + degrees;
+  }
+}
