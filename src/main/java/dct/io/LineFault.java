@@ -149,7 +149,8 @@ final class LineFault {
         : fault("a number is missing beside a comma or semicolon; " + FORM);
   }
 
-  private static String shown(String word) {
+  /** A word of the file as a message repeats it. */
+  static String shown(String word) {
     return word.length() <= SHOWN ? word : word.substring(0, SHOWN) + "…";
   }
 

@@ -28,11 +28,18 @@ public final class PointFile {
    */
   public static PointDocument read(Path typed) {
     Path file = FileNames.forOpening(typed);
-    PointDocument document = readContent(file);
+    PointDocument document = open(file, PointFile::read);
     return FileNames.domain(file).map(document::declared).orElse(document);
   }
 
-  private static PointDocument readContent(Path file) {
+  /** Makes something of the stream of a file. */
+  @FunctionalInterface
+  interface StreamReader<T> {
+    T read(String name, InputStream in) throws IOException;
+  }
+
+  /** Opens a file and says in one sentence why that failed. */
+  static <T> T open(Path file, StreamReader<T> reader) {
     String name = file.toString();
     if (Files.isDirectory(file)) {
       throw new BadInputException(name, 0, "this is a folder; name a file in it");
@@ -41,7 +48,7 @@ public final class PointFile {
       throw new BadInputException(name, 0, "there is no such file; check its name and folder");
     }
     try (InputStream in = Files.newInputStream(file)) {
-      return read(name, in);
+      return reader.read(name, in);
     } catch (AccessDeniedException e) {
       throw new BadInputException(name, 0, "the file may not be read; change its permissions");
     } catch (IOException e) {
@@ -60,7 +67,25 @@ public final class PointFile {
    */
   public static PointDocument read(String name, InputStream in) throws IOException {
     BufferedInputStream buffered = new BufferedInputStream(in, LOOK_AHEAD);
-    return VertexText.read(name, buffered);
+    return startsAsJson(buffered)
+        ? JsonText.read(name, buffered).document()
+        : VertexText.read(name, buffered);
+  }
+
+  /** Whether the first character, white space and a byte-order mark left out, is a brace. */
+  private static boolean startsAsJson(BufferedInputStream in) throws IOException {
+    in.mark(LOOK_AHEAD);
+    byte[] head = in.readNBytes(LOOK_AHEAD);
+    in.reset();
+    int i = 0;
+    while (i < head.length && (head[i] < 0 || VertexText.isBlank(head[i]) || isLineEnd(head[i]))) {
+      i++;
+    }
+    return i < head.length && head[i] == '{';
+  }
+
+  private static boolean isLineEnd(byte b) {
+    return b == '\n' || b == '\r';
   }
 
   /**

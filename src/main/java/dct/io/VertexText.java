@@ -1,11 +1,9 @@
 package dct.io;
 
-import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -20,10 +18,7 @@ final class VertexText {
 
   private final String name;
   private final ByteLines lines;
-  private double[] x = new double[16];
-  private double[] y = new double[16];
-  private int[] lineOf = new int[16];
-  private int count;
+  private final PointColumns points = new PointColumns();
   private Optional<Domain> kind = Optional.empty();
 
   private VertexText(String name, ByteLines lines) {
@@ -45,15 +40,14 @@ final class VertexText {
   }
 
   private PointDocument document() {
-    if (count == 0) {
+    if (points.size() == 0) {
       throw new BadInputException(
           name,
           Math.max(1, lines.number()),
           (lines.number() == 0 ? "the file is empty" : "there is no vertex in the file")
               + "; write one vertex a line, as two numbers x y");
     }
-    Points points = Points.of(Arrays.copyOf(x, count), Arrays.copyOf(y, count));
-    return new PointDocument(name, kind, points, Arrays.copyOf(lineOf, count));
+    return new PointDocument(name, kind, points.points(), points.lines());
   }
 
   private void line() {
@@ -73,7 +67,7 @@ final class VertexText {
       throw new LineFault(name, lines).exception();
     }
     comment(rest);
-    add(px, py);
+    points.add(px, py, lines.number());
   }
 
   private int skipBlanks(int from) {
@@ -118,7 +112,7 @@ final class VertexText {
         break;
       }
     }
-    if (count == 0 && from < lines.end()) {
+    if (points.size() == 0 && from < lines.end()) {
       readKind(new String(bytes, from, lines.end() - from, StandardCharsets.UTF_8));
     }
   }
@@ -127,18 +121,6 @@ final class VertexText {
     if (comment.startsWith(KIND)) {
       kind = DomainWord.parse(comment.substring(KIND.length()).strip()).or(() -> kind);
     }
-  }
-
-  private void add(double px, double py) {
-    if (count == x.length) {
-      int longer = Math.multiplyExact(2, count);
-      x = Arrays.copyOf(x, longer);
-      y = Arrays.copyOf(y, longer);
-      lineOf = Arrays.copyOf(lineOf, longer);
-    }
-    x[count] = px;
-    y[count] = py;
-    lineOf[count++] = lines.number();
   }
 
   /** The comment line that says what the points are. */

@@ -1,0 +1,2 @@
+/** Seeded generators and the studies that use them. */
+package dct.experiment;

@@ -1,0 +1,192 @@
+package dct.io;
+
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
+import com.google.gson.stream.MalformedJsonException;
+import dct.core.triangulate.EdgeKind;
+import java.io.BufferedReader;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Reads the program's own JSON: a whole result, or just {@code {"kind": …, "points": [[x, y], …]}}.
+ *
+ * <p>Fields that the program does not know are skipped. Linear.
+ */
+final class JsonText {
+  private static final String FORM = "write \"points\": [[x, y], …]";
+  private static final String POINT_WRONG = "a point is not a pair of numbers%s; " + FORM;
+  private static final String EDGE_FORM =
+      "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\" as the third";
+  private static final String EDGE_WRONG = "an edge is not of the known form%s; " + EDGE_FORM;
+
+  private static final String FOLLOWED = "something follows the JSON object; remove it";
+
+  private final String name;
+  private final LineReader lines;
+  private final JsonReader json;
+  private final Map<String, Object> values = new HashMap<>();
+  private PointColumns points;
+  private EdgeColumns edges;
+  private boolean ended; // the object is closed
+
+  private JsonText(String name, InputStream in) {
+    this.name = name;
+    this.lines =
+        new LineReader(
+            new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder())));
+    this.json = new JsonReader(lines);
+    json.setStrictness(Strictness.STRICT);
+  }
+
+  /**
+   * Reads everything.
+   *
+   * @throws BadInputException at the first place that is wrong
+   */
+  static StoredResult read(String name, InputStream in) throws IOException {
+    JsonText text = new JsonText(name, in);
+    try {
+      return text.result();
+    } catch (EOFException e) {
+      throw text.fault("the JSON text ends too early; restore the rest of the file");
+    } catch (MalformedJsonException e) {
+      throw text.fault(text.ended ? FOLLOWED : "this is not JSON" + text.place() + "; correct it");
+    } catch (CharacterCodingException e) {
+      throw text.fault("the text is not UTF-8; save it as UTF-8");
+    }
+  }
+
+  private String place() {
+    String path = json.getPath();
+    return path.equals("$") ? "" : ", at " + path.substring(path.startsWith("$.") ? 2 : 1);
+  }
+
+  private StoredResult result() throws IOException {
+    require(JsonToken.BEGIN_OBJECT, "this is not a JSON object; " + FORM + " inside { }");
+    json.beginObject();
+    while (json.hasNext()) {
+      field(json.nextName());
+    }
+    json.endObject();
+    ended = true;
+    require(JsonToken.END_DOCUMENT, FOLLOWED);
+    if (points == null) {
+      throw fault("there is no field \"points\"; " + FORM);
+    }
+    return new StoredResult(name, Map.copyOf(values), points.points(), points.lines(), edges);
+  }
+
+  private void field(String field) throws IOException {
+    if (values.containsKey(field)
+        || (field.equals("points") && points != null)
+        || (field.equals("edgeList") && edges != null)) {
+      throw fault("the field \"" + field + "\" is there twice; remove one");
+    }
+    switch (field) {
+      case "points" -> readPoints();
+      case "edgeList" -> readEdges();
+      case "kind" -> readKind();
+      default -> readValue(field);
+    }
+  }
+
+  private void readKind() throws IOException {
+    String cure = "write \"kind\": \"polygon\" or \"kind\": \"points\"";
+    require(JsonToken.STRING, "\"kind\" is not a text; " + cure);
+    String kind = json.nextString();
+    if (DomainWord.parse(kind).isEmpty()) {
+      throw fault("\"" + LineFault.shown(kind) + "\" is not a kind of input; " + cure);
+    }
+    values.put("kind", kind);
+  }
+
+  private void readValue(String field) throws IOException {
+    switch (json.peek()) {
+      case STRING -> values.put(field, json.nextString());
+      case NUMBER -> values.put(field, number());
+      case BOOLEAN -> values.put(field, json.nextBoolean());
+      default -> json.skipValue();
+    }
+  }
+
+  private double number() throws IOException {
+    String text = json.nextString();
+    double value = Decimals.parse(text);
+    if (!Double.isFinite(value)) {
+      throw fault(
+          LineFault.shown(text) + " is too large, a number is at most 1.797e308; scale the data");
+    }
+    return value;
+  }
+
+  private void readPoints() throws IOException {
+    points = new PointColumns();
+    require(JsonToken.BEGIN_ARRAY, "\"points\" is not a list; " + FORM);
+    json.beginArray();
+    while (json.hasNext()) {
+      require(JsonToken.BEGIN_ARRAY, POINT_WRONG);
+      json.beginArray();
+      int line = lines.line();
+      require(JsonToken.NUMBER, POINT_WRONG);
+      double x = number();
+      require(JsonToken.NUMBER, POINT_WRONG);
+      points.add(x, number(), line);
+      require(JsonToken.END_ARRAY, POINT_WRONG);
+      json.endArray();
+    }
+    json.endArray();
+  }
+
+  private void readEdges() throws IOException {
+    edges = new EdgeColumns();
+    require(JsonToken.BEGIN_ARRAY, "\"edgeList\" is not a list; " + EDGE_FORM);
+    json.beginArray();
+    while (json.hasNext()) {
+      require(JsonToken.BEGIN_ARRAY, EDGE_WRONG);
+      json.beginArray();
+      int line = lines.line();
+      int u = vertex();
+      int v = vertex();
+      require(JsonToken.STRING, EDGE_WRONG);
+      edges.add(u, v, edgeKind(json.nextString()), line);
+      require(JsonToken.END_ARRAY, EDGE_WRONG);
+      json.endArray();
+    }
+    json.endArray();
+  }
+
+  private int vertex() throws IOException {
+    require(JsonToken.NUMBER, EDGE_WRONG);
+    double value = number();
+    if (value != (int) value) {
+      throw fault(EDGE_WRONG);
+    }
+    return (int) value;
+  }
+
+  private EdgeKind edgeKind(String word) {
+    return Arrays.stream(EdgeKind.values())
+        .filter(kind -> ResultJson.word(kind).equals(word))
+        .findFirst()
+        .orElseThrow(() -> fault(EDGE_WRONG));
+  }
+
+  private void require(JsonToken token, String wrong) throws IOException {
+    if (json.peek() != token) {
+      throw fault(wrong);
+    }
+  }
+
+  private BadInputException fault(String fault) {
+    return new BadInputException(name, lines.line(), fault.replace("%s", place()));
+  }
+}

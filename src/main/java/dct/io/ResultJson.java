@@ -1,0 +1,210 @@
+package dct.io;
+
+import com.google.gson.FormattingStyle;
+import com.google.gson.stream.JsonWriter;
+import dct.core.degree.DegreeCount;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * Results as JSON: the summary alone, or with all points and edges.
+ *
+ * <p>The names and the order of the fields are a contract with the scripts that read them. The list
+ * of points has a point a line, the list of edges an edge a line.
+ */
+public final class ResultJson {
+  private static final FormattingStyle SPACED =
+      FormattingStyle.COMPACT.withSpaceAfterSeparators(true);
+
+  private final JsonWriter json;
+  private final StringBuilder text = new StringBuilder();
+
+  private ResultJson(Writer out) {
+    this.json = new JsonWriter(out);
+    json.setFormattingStyle(SPACED);
+    json.setHtmlSafe(false);
+  }
+
+  /** A use of the writer inside the one object of a file. */
+  private interface Fields {
+    void write(ResultJson json) throws IOException;
+  }
+
+  /** The summary as one line without its end. */
+  public static String summary(Result result) {
+    StringWriter out = new StringWriter();
+    try {
+      write(out, json -> json.summaryFields(result));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return out.toString();
+  }
+
+  /**
+   * Writes the whole result to a file, or nothing.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, Result result) throws CannotWriteException {
+    AtomicFile.write(file, out -> write(out, result));
+  }
+
+  /** Writes the whole result to a stream. */
+  public static void write(OutputStream out, Result result) throws IOException {
+    write(
+        out,
+        json -> {
+          json.summaryFields(result);
+          json.points(result.triangulation().points());
+          json.edges(result.triangulation());
+        });
+  }
+
+  /**
+   * Writes points and what they are to a file, or nothing.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, Domain domain, Points points) throws CannotWriteException {
+    AtomicFile.write(file, out -> write(out, domain, points));
+  }
+
+  /** Writes points and what they are to a stream. */
+  public static void write(OutputStream out, Domain domain, Points points) throws IOException {
+    write(
+        out,
+        json -> {
+          json.json.name("kind").value(DomainWord.of(domain));
+          json.points(points);
+        });
+  }
+
+  /**
+   * Reads a result back.
+   *
+   * @throws BadInputException if there is none in the file
+   */
+  public static StoredResult read(Path file) {
+    return PointFile.open(file, ResultJson::read);
+  }
+
+  /**
+   * Reads a result back from a stream.
+   *
+   * @param name what messages call it, "-" for standard input
+   * @throws BadInputException if there is none
+   */
+  public static StoredResult read(String name, InputStream in) throws IOException {
+    return JsonText.read(name, in);
+  }
+
+  /** The word for a kind of edge. */
+  static String word(EdgeKind kind) {
+    return kind.name().toLowerCase(Locale.ROOT);
+  }
+
+  private static void write(OutputStream out, Fields fields) throws IOException {
+    Writer writer =
+        new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8), 1 << 16);
+    write(writer, fields);
+    writer.write('\n');
+    writer.flush();
+  }
+
+  private static void write(Writer out, Fields fields) throws IOException {
+    ResultJson json = new ResultJson(out);
+    json.json.beginObject();
+    fields.write(json);
+    json.json.endObject();
+  }
+
+  private void summaryFields(Result result) throws IOException {
+    Triangulation triangulation = result.triangulation();
+    DegreeCount degrees = result.degrees();
+    json.name("input").value(result.input());
+    json.name("kind").value(DomainWord.of(triangulation.domain()));
+    json.name("algorithm").value(result.algorithm());
+    json.name("post").value(result.post().map(Result.Post::name).orElse("none"));
+    json.name("vertices").value(triangulation.vertexCount());
+    json.name("edges").value(triangulation.edgeCount());
+    json.name("triangles").value(triangulation.triangleCount());
+    json.name("boundary").value(triangulation.boundaryCount());
+    json.name("even").value(degrees.even());
+    json.name("odd").value(degrees.odd());
+    if (result.post().isPresent()) {
+      postFields(result.post().get());
+    }
+    json.name("oddLowerBound").value(result.oddLowerBound());
+    json.name("optimal").value(result.isOptimal());
+    json.name("merged").value(result.merged());
+    millis(result.millis());
+  }
+
+  private void postFields(Result.Post post) throws IOException {
+    json.name("evenBefore").value(post.before().even());
+    json.name("oddBefore").value(post.before().odd());
+    json.name("flips").value(post.flips());
+  }
+
+  private void millis(Result.Millis millis) throws IOException {
+    json.name("millis").beginObject();
+    json.name("read").jsonValue(tenths(millis.read()));
+    json.name("triangulate").jsonValue(tenths(millis.triangulate()));
+    json.name("post").jsonValue(tenths(millis.post()));
+    json.endObject();
+  }
+
+  private static String tenths(double millis) {
+    return Decimals.format(Math.round(millis * 10) / 10.0);
+  }
+
+  /** Begins a list whose values bring their own line breaks. */
+  private void beginLines(String name) throws IOException {
+    json.name(name).beginArray();
+    json.setFormattingStyle(FormattingStyle.COMPACT);
+  }
+
+  private void endLines() throws IOException {
+    json.endArray();
+    json.setFormattingStyle(SPACED);
+  }
+
+  private void points(Points points) throws IOException {
+    beginLines("points");
+    for (int i = 0; i < points.size(); i++) {
+      text.setLength(0);
+      text.append("\n[");
+      Decimals.append(text, points.x(i));
+      text.append(", ");
+      Decimals.append(text, points.y(i));
+      json.jsonValue(text.append(']').toString());
+    }
+    endLines();
+  }
+
+  private void edges(Triangulation triangulation) throws IOException {
+    beginLines("edgeList");
+    for (int edge = 0; edge < triangulation.edgeCount(); edge++) {
+      text.setLength(0);
+      text.append("\n[").append(triangulation.from(edge)).append(", ");
+      text.append(triangulation.to(edge)).append(", \"");
+      text.append(word(triangulation.kind(edge))).append("\"]");
+      json.jsonValue(text.toString());
+    }
+    endLines();
+  }
+}

@@ -1,0 +1,192 @@
+package dct.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import dct.core.dcel.Dcel;
+import dct.core.degree.DegreeCount;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ResultJsonTest {
+  private static final Points SQUARE = Points.ofPairs(0, 0, 10, 0, 10, 0.5, 0, 1e30);
+  private static final Result.Millis MILLIS = new Result.Millis(3.14, 1.96, 0);
+
+  private static Result square(Optional<Result.Post> post) {
+    Dcel dcel = Dcel.cycle(0, 1, 2, 3);
+    dcel.splitFace(dcel.outEdge(0), dcel.outEdge(2));
+    Triangulation triangulation =
+        new Triangulation(Domain.POLYGON, SQUARE, dcel, edge -> EdgeKind.FLIPPED);
+    return new Result("a \"b\".txt", "monotone", triangulation, post, 0, MILLIS);
+  }
+
+  private static StoredResult read(String text) throws IOException {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    return ResultJson.read("in.json", new ByteArrayInputStream(bytes));
+  }
+
+  @Test
+  void the_summary_has_the_fields_of_the_contract_in_order() {
+    assertThat(ResultJson.summary(square(Optional.empty())))
+        .isEqualTo(
+            "{\"input\": \"a \\\"b\\\".txt\", \"kind\": \"polygon\", \"algorithm\": \"monotone\","
+                + " \"post\": \"none\", \"vertices\": 4, \"edges\": 5, \"triangles\": 2,"
+                + " \"boundary\": 4, \"even\": 2, \"odd\": 2, \"oddLowerBound\": 2,"
+                + " \"optimal\": true, \"merged\": 0,"
+                + " \"millis\": {\"read\": 3.1, \"triangulate\": 2, \"post\": 0}}");
+  }
+
+  @Test
+  void flips_add_their_fields() {
+    Result.Post post = new Result.Post("flip", new DegreeCount(0, 4), 1);
+    JsonObject json =
+        JsonParser.parseString(ResultJson.summary(square(Optional.of(post)))).getAsJsonObject();
+    assertThat(json.get("post").getAsString()).isEqualTo("flip");
+    assertThat(json.get("evenBefore").getAsInt()).isZero();
+    assertThat(json.get("oddBefore").getAsInt()).isEqualTo(4);
+    assertThat(json.get("flips").getAsInt()).isEqualTo(1);
+  }
+
+  @Test
+  void the_whole_result_lists_points_and_edges() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ResultJson.write(out, square(Optional.empty()));
+    String text = out.toString(StandardCharsets.UTF_8);
+    JsonObject json = JsonParser.parseString(text).getAsJsonObject();
+    JsonArray points = json.getAsJsonArray("points");
+    assertThat(points).hasSize(4);
+    assertThat(points.get(3)).hasToString("[0,1e30]");
+    assertThat(json.getAsJsonArray("edgeList")).hasSize(5);
+    assertThat(text).contains("\n[10, 0.5],\n").contains(", \"flipped\"]").endsWith("]}\n");
+    assertThat(json.get("odd").getAsInt()).isEqualTo(2);
+  }
+
+  @Test
+  void reads_back_what_it_writes(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("result.json");
+    Result result = square(Optional.empty());
+    ResultJson.write(file, result);
+    StoredResult stored = ResultJson.read(file);
+    assertThat(stored.points()).isEqualTo(SQUARE);
+    assertThat(stored.domain()).contains(Domain.POLYGON);
+    assertThat(stored.text("algorithm")).contains("monotone");
+    assertThat(stored.whole("odd")).hasValue(2);
+    assertThat(stored.whole("algorithm")).isEmpty();
+    assertThat(stored.flag("optimal")).contains(true);
+    assertThat(stored.edgeCount()).isEqualTo(5);
+    assertThat(stored.edge(0))
+        .isEqualTo(
+            new StoredResult.Edge(
+                result.triangulation().from(0),
+                result.triangulation().to(0),
+                EdgeKind.BOUNDARY,
+                6));
+    assertThat(PointFile.read(file).points()).isEqualTo(SQUARE);
+    assertThat(PointFile.read(file).declared()).contains(Domain.POLYGON);
+  }
+
+  @Test
+  void points_alone_come_back_with_their_kind_and_lines(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("points.json");
+    ResultJson.write(file, Domain.SITES, SQUARE);
+    assertThat(file)
+        .hasContent(
+            "{\"kind\": \"points\", \"points\": [\n[0, 0],\n[10, 0],\n[10, 0.5],\n[0, 1e30]]}");
+    PointDocument document = PointFile.read(file);
+    assertThat(document.points()).isEqualTo(SQUARE);
+    assertThat(document.declared()).contains(Domain.SITES);
+    assertThat(document.line(2)).isEqualTo(4);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{\"points\": [[0, 0], [1, 0], [0, 1]]}",
+        "\uFEFF\r\n {\"points\":\r\n[[0,0],[1.0,0e0],\r\n[0,1]], \"ä\": {\"x\": [1, null]}}\n",
+      })
+  void json_is_told_by_content(String text, @TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("points.txt"), text);
+    assertThat(PointFile.read(file).points()).isEqualTo(Points.ofPairs(0, 0, 1, 0, 0, 1));
+    assertThat(PointFile.read(file).declared()).isEmpty();
+    assertThat(ResultJson.read(file).hasEdges()).isFalse();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "{} | 1: there is no field \"points\"; write \"points\": [[x, y], …]",
+        "{\"kind\": 1, \"points\": []} | 1: \"kind\" is not a text;"
+            + " write \"kind\": \"polygon\" or \"kind\": \"points\"",
+        "{\"kind\": \"dots\"} | 1: \"dots\" is not a kind of input;"
+            + " write \"kind\": \"polygon\" or \"kind\": \"points\"",
+        "{\"points\": 3} | 1: \"points\" is not a list; write \"points\": [[x, y], …]",
+        "{\"points\": [[0, 0],~[1, \"a\"]]} | 2: a point is not a pair of numbers, at points[1][1];"
+            + " write \"points\": [[x, y], …]",
+        "{\"points\": [[0, 0],~[1]]} | 2: a point is not a pair of numbers, at points[1][1];"
+            + " write \"points\": [[x, y], …]",
+        "{\"points\": [[0, 0, 0]]} | 1: a point is not a pair of numbers, at points[0][2];"
+            + " write \"points\": [[x, y], …]",
+        "{\"points\": [[0,~~1e400]]} | 3: 1e400 is too large, a number is at most 1.797e308;"
+            + " scale the data",
+        "{\"points\": [[NaN, 0]]} | 1: this is not JSON, at points[0][0]; correct it",
+        "{\"points\": [[0x1, 0]]} | 1: this is not JSON, at points[0][0]; correct it",
+        "{\"points\": [[0, 0],~[1, 0 | 2: the JSON text ends too early; restore the rest of the file",
+        "{\"points\": []}~{} | 2: something follows the JSON object; remove it",
+        "{\"points\": [], \"points\": []} | 1: the field \"points\" is there twice; remove one",
+        "{\"n\": 1,~\"n\": 1} | 2: the field \"n\" is there twice; remove one",
+        "{\"points\": [],~\"edgeList\": [[0, 1]]} | 2: an edge is not of the known form,"
+            + " at edgeList[0][2]; EDGE",
+        "{\"points\": [],~\"edgeList\": [[0, 1, \"red\"]]} | 2: an edge is not of the known form,"
+            + " at edgeList[0][3]; EDGE",
+        "{\"points\": [],~\"edgeList\": [[0, 1.5, \"boundary\"]]} | 2: an edge is not of the known"
+            + " form, at edgeList[0][2]; EDGE",
+        "[[0, 0]] | 1: this is not a JSON object; write \"points\": [[x, y], …] inside { }",
+      })
+  void names_what_is_wrong(String text, String message) {
+    String edge =
+        "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\" as the third";
+    assertThatThrownBy(() -> read(text.replace('~', '\n')))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage("in.json:" + message.replace("EDGE", edge));
+  }
+
+  @Test
+  void another_encoding_is_named() {
+    byte[] latin1 = "{\"input\": \"ä\"}".getBytes(StandardCharsets.ISO_8859_1);
+    assertThatThrownBy(() -> ResultJson.read("in.json", new ByteArrayInputStream(latin1)))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage("in.json:1: the text is not UTF-8; save it as UTF-8");
+  }
+
+  @Test
+  void a_deep_nest_is_refused_and_not_run_into() {
+    assertThatThrownBy(() -> read("{\"x\": " + "[".repeat(100_000)))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("this is not JSON");
+  }
+
+  @Test
+  void the_bound_follows_from_the_boundary() {
+    assertThat(Result.oddLowerBound(9)).isZero();
+    assertThat(Result.oddLowerBound(10)).isEqualTo(2);
+    assertThat(Result.oddLowerBound(11)).isEqualTo(2);
+  }
+}
