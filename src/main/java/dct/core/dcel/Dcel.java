@@ -101,7 +101,8 @@ public final class Dcel {
    * @param next the half-edge after each one around its left face
    * @param prev the half-edge before each one
    * @param origin the vertex that each one leaves
-   * @param outer a half-edge of the outer face
+   * @param outer a half-edge of the outer face; of no account if there are no edges, and the whole
+   *     plane is the outer face
    */
   public static Dcel of(int vertices, int[] next, int[] prev, int[] origin, int outer) {
     int[] renumbered = new int[next.length];
@@ -122,7 +123,7 @@ public final class Dcel {
       }
     }
     dcel.edges.take(used / 2);
-    dcel.findFaces(renumbered[outer]);
+    dcel.findFaces(used == 0 ? NONE : renumbered[outer]);
     return dcel;
   }
 
@@ -140,11 +141,9 @@ public final class Dcel {
   private void labelFace(int start) {
     int f = newFace();
     faceEdge[f] = start;
-    int e = start;
-    do {
-      face[e] = f;
-      e = next[e];
-    } while (e != start);
+    if (start != NONE) {
+      relabel(start, f);
+    }
   }
 
   /** A copy that can be changed, also if this one is frozen. */

@@ -257,6 +257,16 @@ class DcelTest {
     assertThat(path.isBoundary(0)).isTrue();
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 5})
+  void ofKnowsTheEmptyPlane(int vertices) {
+    Dcel empty = Dcel.of(vertices, new int[0], new int[0], new int[0], Dcel.NONE);
+    empty.validate();
+    assertThat(empty.edgeCount()).isZero();
+    assertThat(empty.faceCount()).isEqualTo(1);
+    assertThat(empty.faceEdge(Dcel.OUTER)).isEqualTo(Dcel.NONE);
+  }
+
   @Test
   void aLongFanStaysLinear() {
     int n = 200_000;
