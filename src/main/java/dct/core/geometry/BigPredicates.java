@@ -1,8 +1,12 @@
 package dct.core.geometry;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 
-/** The determinants of {@link Predicates} in decimal arithmetic of any length: slow and certain. */
+/**
+ * The determinants of {@link Predicates} in decimal arithmetic of any length, slow and certain; and
+ * the point where two segments cross, at every scale.
+ */
 final class BigPredicates {
 
   private BigPredicates() {}
@@ -23,6 +27,19 @@ final class BigPredicates {
     BigDecimal b = lift(bdx, bdy).multiply(cross(cdx, cdy, adx, ady));
     BigDecimal c = lift(cdx, cdy).multiply(cross(adx, ady, bdx, bdy));
     return a.add(b).add(c).signum();
+  }
+
+  /** Where the segments ab and cd, which cross, do so: x and y, rounded. */
+  static double[] crossing(Points p, int a, int b, int c, int d) {
+    BigDecimal ux = minus(p.x(b), p.x(a));
+    BigDecimal uy = minus(p.y(b), p.y(a));
+    BigDecimal vx = minus(p.x(d), p.x(c));
+    BigDecimal vy = minus(p.y(d), p.y(c));
+    BigDecimal top = cross(minus(p.x(c), p.x(a)), minus(p.y(c), p.y(a)), vx, vy);
+    BigDecimal t = top.divide(cross(ux, uy, vx, vy), MathContext.DECIMAL128);
+    double x = new BigDecimal(p.x(a)).add(t.multiply(ux)).doubleValue();
+    double y = new BigDecimal(p.y(a)).add(t.multiply(uy)).doubleValue();
+    return new double[] {x, y};
   }
 
   private static BigDecimal minus(double p, double q) {

@@ -187,15 +187,7 @@ public final class SimplicityCheck {
   }
 
   private void reportCrossing(int e, int f) {
-    double ux = points.x(after(e)) - points.x(e);
-    double uy = points.y(after(e)) - points.y(e);
-    double vx = points.x(after(f)) - points.x(f);
-    double vy = points.y(after(f)) - points.y(f);
-    double wx = points.x(f) - points.x(e);
-    double wy = points.y(f) - points.y(e);
-    double t = Math.max(0, Math.min(1, (wx * vy - wy * vx) / (ux * vy - uy * vx)));
-    double x = points.x(e) + t * ux;
-    double y = points.y(e) + t * uy;
-    defect = new Defect(Defect.Kind.CROSSING, e, f, x, y, n);
+    double[] at = BigPredicates.crossing(points, e, after(e), f, after(f));
+    defect = new Defect(Defect.Kind.CROSSING, e, f, at[0], at[1], n);
   }
 }
