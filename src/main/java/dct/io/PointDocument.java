@@ -6,6 +6,7 @@ import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -27,8 +28,15 @@ public final class PointDocument {
     this.lines = lines;
   }
 
-  /** This document as a file of another kind says it is. */
-  PointDocument declared(Domain domain) {
+  /** Points that come from no file, each on the line that a file without comments gives it. */
+  public static PointDocument of(String source, Domain domain, Points points) {
+    int[] lines = new int[points.size()];
+    Arrays.setAll(lines, i -> i + 1);
+    return new PointDocument(source, Optional.of(domain), points, lines);
+  }
+
+  /** The same points, said to be of this domain. */
+  public PointDocument declared(Domain domain) {
     return new PointDocument(source, Optional.of(domain), points, lines);
   }
 

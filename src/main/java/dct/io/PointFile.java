@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * Files of points: the program's own text, or the {@code points} of its JSON, told by content.
@@ -97,13 +98,26 @@ public final class PointFile {
    * @throws CannotWriteException if that failed; nothing is changed then
    */
   public static void write(Path file, Domain domain, Points points) throws CannotWriteException {
-    boolean said = FileNames.domain(file).isPresent();
-    AtomicFile.write(file, out -> write(out, said ? "" : kindLine(domain), points));
+    AtomicFile.write(file, out -> write(out, head(file, Optional.of(domain)), points));
+  }
+
+  /** Writes the points of a document, and of what domain it is said to be, in the same way. */
+  public static void write(Path file, PointDocument document) throws CannotWriteException {
+    AtomicFile.write(file, out -> write(out, head(file, document.declared()), document.points()));
   }
 
   /** Writes points as text to a stream, behind a comment that says what they are. */
   public static void write(OutputStream out, Domain domain, Points points) throws IOException {
     write(out, kindLine(domain), points);
+  }
+
+  /** Writes the points of a document as text to a stream. */
+  public static void write(OutputStream out, PointDocument document) throws IOException {
+    write(out, document.declared().map(PointFile::kindLine).orElse(""), document.points());
+  }
+
+  private static String head(Path file, Optional<Domain> domain) {
+    return FileNames.domain(file).equals(domain) ? "" : domain.map(PointFile::kindLine).orElse("");
   }
 
   private static String kindLine(Domain domain) {

@@ -4,7 +4,6 @@ import com.google.gson.FormattingStyle;
 import com.google.gson.stream.JsonWriter;
 import dct.core.degree.DegreeCount;
 import dct.core.geometry.Points;
-import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import java.io.BufferedWriter;
@@ -75,21 +74,23 @@ public final class ResultJson {
   }
 
   /**
-   * Writes points and what they are to a file, or nothing.
+   * Writes the points of a document, and of what domain it is said to be, to a file, or nothing.
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, Domain domain, Points points) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, domain, points));
+  public static void write(Path file, PointDocument document) throws CannotWriteException {
+    AtomicFile.write(file, out -> write(out, document));
   }
 
-  /** Writes points and what they are to a stream. */
-  public static void write(OutputStream out, Domain domain, Points points) throws IOException {
+  /** Writes the points of a document, and of what domain it is said to be, to a stream. */
+  public static void write(OutputStream out, PointDocument document) throws IOException {
     write(
         out,
         json -> {
-          json.json.name("kind").value(DomainWord.of(domain));
-          json.points(points);
+          if (document.declared().isPresent()) {
+            json.json.name("kind").value(DomainWord.of(document.declared().get()));
+          }
+          json.points(document.points());
         });
   }
 

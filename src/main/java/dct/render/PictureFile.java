@@ -1,13 +1,12 @@
 package dct.render;
 
+import dct.io.AtomicFile;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
@@ -65,16 +64,7 @@ public final class PictureFile {
         Format.of(file)
             .orElseThrow(
                 () -> new IllegalArgumentException(file + " ends in neither .png nor .svg"));
-    Path folder = file.toAbsolutePath().getParent();
-    Path aside = Files.createTempFile(folder, ".dct-", ".tmp");
-    try {
-      try (OutputStream out = Files.newOutputStream(aside)) {
-        write(scene, view, width, height, format, out);
-      }
-      Files.move(aside, file, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(aside);
-    }
+    AtomicFile.write(file, out -> write(scene, view, width, height, format, out));
   }
 
   /** The viewport of a picture of the whole scene. */

@@ -105,7 +105,7 @@ class ResultJsonTest {
   @Test
   void points_alone_come_back_with_their_kind_and_lines(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("points.json");
-    ResultJson.write(file, Domain.SITES, SQUARE);
+    ResultJson.write(file, PointDocument.of("x", Domain.SITES, SQUARE));
     assertThat(file)
         .hasContent(
             "{\"kind\": \"points\", \"points\": [\n[0, 0],\n[10, 0],\n[10, 0.5],\n[0, 1e30]]}");

@@ -1,0 +1,145 @@
+package dct.cli;
+
+import dct.io.BadInputException;
+import dct.io.CannotWriteException;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+
+/**
+ * The program without a screen.
+ *
+ * <p>Whatever happens, a user sees a sentence and no stack trace, unless the environment variable
+ * {@code DCT_DEBUG} is set.
+ */
+public final class CommandLineProgram {
+  /** Everything asked for was done. */
+  public static final int DONE = 0;
+
+  /** Something failed that is neither wrong usage nor bad input. */
+  public static final int FAILED = 1;
+
+  /** The command line itself is wrong. */
+  public static final int WRONG_USAGE = 2;
+
+  /** An input cannot be used. */
+  public static final int BAD_INPUT = 3;
+
+  /** The verbs, in the order of the help, each with the maker of its command. */
+  private static final Map<String, Function<Console, Object>> VERBS =
+      Map.of(
+          "triangulate", TriangulateCommand::new,
+          "generate", GenerateCommand::new,
+          "convert", ConvertCommand::new,
+          "check", CheckCommand::new,
+          "verify", VerifyCommand::new);
+
+  private static final List<String> ORDER =
+      List.of("triangulate", "generate", "convert", "check", "verify");
+
+  private final Console console;
+
+  private CommandLineProgram(Console console) {
+    this.console = console;
+  }
+
+  /** Whether this word is one of the program's verbs. */
+  public static boolean isVerb(String word) {
+    return VERBS.containsKey(word);
+  }
+
+  /** Does what these arguments ask for; returns the exit status. */
+  public static int run(Console console, String... arguments) {
+    return new CommandLineProgram(console).run(arguments);
+  }
+
+  private int run(String... arguments) {
+    try {
+      int status = commandLine(arguments).execute(arguments);
+      return status == DONE ? flushed() : status;
+    } catch (StackOverflowError | OutOfMemoryError e) {
+      return explain(e);
+    }
+  }
+
+  private int flushed() {
+    try {
+      console.out().flush();
+      return DONE;
+    } catch (IOException e) {
+      return explain(e);
+    }
+  }
+
+  private CommandLine commandLine(String... arguments) {
+    CommandLine program = new CommandLine(new TopCommand());
+    // Reading a command's annotations takes time: where the verb is clear, only its own are read.
+    boolean clear = arguments.length > 0 && isVerb(arguments[0]);
+    for (String verb : clear ? List.of(arguments[0]) : ORDER) {
+      program.addSubcommand(verb, VERBS.get(verb).apply(console));
+    }
+    return program
+        .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
+        .setOut(new PrintWriter(console.out(), false, StandardCharsets.UTF_8))
+        .setErr(new PrintWriter(console.err(), true, StandardCharsets.UTF_8))
+        .setParameterExceptionHandler((e, args) -> wrongUsage(e))
+        .setExecutionExceptionHandler((e, command, result) -> explain(e, command));
+  }
+
+  private int wrongUsage(ParameterException e) {
+    return wrongUsage(e.getMessage(), e.getCommandLine());
+  }
+
+  private int wrongUsage(String message, CommandLine command) {
+    String name = command.getCommandSpec().qualifiedName();
+    String oneLine = message.lines().findFirst().orElse("wrong usage");
+    console.err().println(name + ": " + oneLine + "; see " + name + " --help");
+    return WRONG_USAGE;
+  }
+
+  private int explain(Exception e, CommandLine command) {
+    return e instanceof UsageException ? wrongUsage(e.getMessage(), command) : explain(e);
+  }
+
+  private int explain(Throwable e) {
+    if (System.getenv("DCT_DEBUG") != null) {
+      e.printStackTrace(console.err());
+    }
+    if (e instanceof BadInputException) {
+      console.err().println(e.getMessage());
+      return BAD_INPUT;
+    }
+    String sentence = sentence(e);
+    if (!sentence.isEmpty()) {
+      console.err().println(sentence);
+    }
+    return FAILED;
+  }
+
+  private static String sentence(Throwable e) {
+    if (e instanceof CannotWriteException) {
+      return e.getMessage();
+    }
+    if (e instanceof IOException) {
+      boolean gone = e.getMessage() != null && e.getMessage().contains("Broken pipe");
+      return gone
+          ? ""
+          : "dct: standard input or output failed, " + e.getMessage() + "; try another";
+    }
+    if (e instanceof InvalidPathException invalid) {
+      return "dct: %s can be no file's name here; choose another or set a UTF-8 locale"
+          .formatted(invalid.getInput());
+    }
+    if (e instanceof OutOfMemoryError) {
+      return "dct: there is not enough memory; give Java more with -Xmx, for instance -Xmx4g";
+    }
+    return "dct: the program failed, " + e + "; this is a fault of the program, please report it";
+  }
+}

@@ -1,0 +1,41 @@
+package dct.cli;
+
+import dct.core.triangulate.Domain;
+import dct.io.PointDocument;
+import dct.io.PointFile;
+import dct.io.ResultJson;
+import dct.render.PictureFile;
+import dct.render.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Writes points in the format that the name of an output asks for. */
+final class PointOutput {
+  private PointOutput() {}
+
+  /**
+   * Writes one output; {@code -} is text on standard output.
+   *
+   * @throws UsageException if the ending of the name is no format
+   */
+  static void write(PointDocument document, String output, Console console) throws IOException {
+    if (output.equals("-")) {
+      PointFile.write(console.out(), document);
+      console.out().flush();
+      return;
+    }
+    Path file = Path.of(output);
+    switch (Format.of(output)) {
+      case TXT -> PointFile.write(file, document);
+      case JSON -> ResultJson.write(file, document);
+      case PNG, SVG -> PictureFile.write(scene(document), file);
+    }
+  }
+
+  private static Scene scene(PointDocument document) {
+    return document.declared().orElse(Domain.POLYGON) == Domain.SITES
+        ? Scene.sites(document.points())
+        : Scene.polygon(document.points(), false, List.of());
+  }
+}
