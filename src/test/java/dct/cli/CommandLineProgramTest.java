@@ -1,0 +1,160 @@
+package dct.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What holds for every verb: help, version, wrong usage, streams that fail. */
+class CommandLineProgramTest {
+  private static final String SQUARE = "0 0\n10 0\n10 10\n0 10\n";
+
+  @Test
+  void the_help_names_every_verb() {
+    CliRun run = CliRun.of("--help").done();
+    assertThat(run.out())
+        .startsWith("Usage: dct")
+        .contains("triangulate", "generate", "convert", "check", "verify", "Exit status");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"triangulate", "generate", "convert", "check", "verify"})
+  void every_verb_has_help_and_version(String verb) {
+    assertThat(CommandLineProgram.isVerb(verb)).isTrue();
+    assertThat(CliRun.of(verb, "--help").done().out()).startsWith("Usage: dct " + verb);
+    assertThat(CliRun.of(verb, "--version").done().out()).startsWith("dct ");
+  }
+
+  @Test
+  void the_version_is_one_line() {
+    assertThat(CliRun.of("--version").done().out()).matches("dct [^\n]+\n");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "'' | dct: a verb is missing; see dct --help",
+        "frobnicate | dct: Unmatched argument at index 0: 'frobnicate'; see dct --help",
+        "triangulate | dct triangulate: Missing required parameter: 'INPUT';"
+            + " see dct triangulate --help",
+        "triangulate a b | dct triangulate: Unmatched argument at index 2: 'b';"
+            + " see dct triangulate --help",
+        "triangulate --flop a | dct triangulate: Unknown option: '--flop';"
+            + " see dct triangulate --help",
+        "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format,"
+            + " use .txt, .json, .png or .svg; see dct triangulate --help",
+        "triangulate a -o b | dct triangulate: the ending of b is no format,"
+            + " use .txt, .json, .png or .svg; see dct triangulate --help",
+        "triangulate a --json -o - | dct triangulate: --json and -o - both want standard output,"
+            + " leave one out; see dct triangulate --help",
+        "triangulate - --as lines | dct triangulate: --as lines is unknown,"
+            + " use polygon or points; see dct triangulate --help",
+        "triangulate - --algorithm delaunay | dct triangulate: --algorithm delaunay is none for"
+            + " a polygon, use monotone, ear-clipping, convex-even, convex-odd;"
+            + " see dct triangulate --help",
+        "triangulate - --as points --algorithm monotone | dct triangulate: --algorithm monotone is"
+            + " none for points, use delaunay; see dct triangulate --help",
+        "generate points | dct generate: Missing required option: '-n=N'; see dct generate --help",
+        "generate points -n x | dct generate: Invalid value for option '-n': 'x' is not an int;"
+            + " see dct generate --help",
+        "generate points -n 0 | dct generate: -n 0 is not from 1 to 100000000;"
+            + " see dct generate --help",
+        "generate circles -n 5 | dct generate: circles cannot be made, only points;"
+            + " see dct generate --help",
+        "generate points -n 5 --shape ring | dct generate: --shape ring is unknown, use uniform;"
+            + " see dct generate --help",
+        "convert - | dct convert: Missing required option: '--output=OUTPUT';"
+            + " see dct convert --help",
+      })
+  void wrong_usage_is_one_line_and_status_2(String words, String message) {
+    Object[] arguments = words.isEmpty() ? new Object[0] : words.split(" ", -1);
+    CliRun run = CliRun.withInput(SQUARE, arguments);
+    assertThat(run.err()).isEqualTo(message + "\n");
+    assertThat(run.out()).isEmpty();
+    assertThat(run.status()).isEqualTo(2);
+  }
+
+  @Test
+  void a_place_that_cannot_be_written_loses_nothing(@TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("file.txt"), "old");
+    for (String ending : new String[] {".txt", ".json", ".png", ".svg"}) {
+      Path below = file.resolve("below" + ending);
+      CliRun run = CliRun.withInput(SQUARE, "triangulate", "-", "-o", below);
+      assertThat(run.status()).isEqualTo(1);
+      assertThat(run.err())
+          .isEqualTo(
+              below
+                  + ": cannot be written, Not a directory;"
+                  + " nothing was changed, choose another place\n");
+      assertThat(run.out()).isEmpty();
+    }
+    assertThat(file).hasContent("old");
+  }
+
+  @Test
+  void a_full_place_loses_nothing(@TempDir Path folder) throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "skipped: this system has no /dev/full");
+    Path link = Files.createSymbolicLink(folder.resolve("full.txt"), full);
+    CliRun run = CliRun.of("generate", "points", "-n", 10, "-o", link);
+    assertThat(run.status()).isEqualTo(1);
+    assertThat(run.err())
+        .isEqualTo(
+            link
+                + ": cannot be written, No space left on device;"
+                + " nothing was changed, choose another place\n");
+    assertThat(link).isSymbolicLink();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "Broken pipe, ''",
+    "No space left on device,"
+        + " 'dct: standard input or output failed, No space left on device; try another\n'"
+  })
+  void a_standard_output_that_fails_gives_no_stack_trace(String reason, String message) {
+    OutputStream failing =
+        new OutputStream() {
+          @Override
+          public void write(int b) throws IOException {
+            throw new IOException(reason);
+          }
+        };
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+    Console console =
+        new Console(
+            new ByteArrayInputStream(new byte[0]),
+            failing,
+            new PrintStream(err, true, StandardCharsets.UTF_8));
+    assertThat(CommandLineProgram.run(console, "generate", "points", "-n", "10")).isEqualTo(1);
+    assertThat(err.toString(StandardCharsets.UTF_8)).isEqualTo(message);
+  }
+
+  @Test
+  void numbers_have_a_point_whatever_the_locale() {
+    Locale before = Locale.getDefault();
+    Locale.setDefault(Locale.GERMANY);
+    try {
+      CliRun run = CliRun.withInput("0 0\n1.5 0\n0 2.5\n", "triangulate", "-", "-o", "-").done();
+      assertThat(run.out()).contains("[1.5, 0],", "[0, 2.5]]").doesNotContain("1,5");
+      CliRun bow = CliRun.withInput("0 0\n1 1\n1 0\n0 1\n", "check", "-");
+      assertThat(bow.err()).contains("(0.5, 0.5)");
+    } finally {
+      Locale.setDefault(before);
+    }
+  }
+}
