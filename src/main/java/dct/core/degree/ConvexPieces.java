@@ -26,15 +26,22 @@ final class ConvexPieces {
     return HertelMehlhorn.partition(polygon, MonotoneTriangulation.triangulate(polygon, progress));
   }
 
-  /** A strictly convex polygon as its own only piece. */
-  static Partition single(SimplePolygon polygon) {
+  /** Whether every angle of the polygon is less than 180°. */
+  static boolean isConvex(SimplePolygon polygon) {
     int n = polygon.size();
     for (int k = 0; k < n; k++) {
       int before = polygon.vertex((k + n - 1) % n);
       if (polygon.points().orient(before, polygon.vertex(k), polygon.vertex((k + 1) % n)) <= 0) {
-        throw new IllegalArgumentException(
-            "the angle at vertex " + polygon.vertex(k) + " is 180° or more");
+        return false;
       }
+    }
+    return true;
+  }
+
+  /** A strictly convex polygon as its own only piece. */
+  static Partition single(SimplePolygon polygon) {
+    if (!isConvex(polygon)) {
+      throw new IllegalArgumentException("a vertex has an angle of 180° or more");
     }
     return new Partition(polygon, Dcel.cycle(polygon.walk()));
   }
