@@ -24,8 +24,8 @@ import java.util.concurrent.atomic.AtomicInteger;
  * the edges counted by r and s. An edge of the polygon has f[0][0] = 0 and no other entry.
  *
  * <p>Time is the number of triangles that see through, at most n³/6, found by merging sorted lists;
- * memory 32 bytes a pair beside the 8 of the graph. The triangle of pairs is cut into blocks, and the blocks of one
- * anti-diagonal are computed in parallel. Ties go to the lowest apex.
+ * memory 32 bytes a pair beside the 8 of the graph. The triangle of pairs is cut into blocks, and
+ * the blocks of one anti-diagonal are computed in parallel. Ties go to the lowest apex.
  */
 final class ParityTable {
   private static final int INFINITE = 1 << 28; // three of these still add up without overflow
@@ -225,7 +225,9 @@ final class ParityTable {
 
   /** The fewest unsatisfied vertices with these parities at the ends of the last edge. */
   private int total(int parities) {
-    return best(0, n - 1, parities) + wrong[1 - (parities >> 1)] + wrong[2 * n - 1 - (parities & 1)];
+    return best(0, n - 1, parities)
+        + wrong[1 - (parities >> 1)]
+        + wrong[2 * n - 1 - (parities & 1)];
   }
 
   private int best(int i, int j, int parities) {

@@ -3,6 +3,7 @@ package dct.core.degree;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.testing.Exact;
+import java.util.Arrays;
 import java.util.function.Consumer;
 
 /** Every triangulation of a small polygon, one after the other, by brute force. */
@@ -29,7 +30,7 @@ final class EveryTriangulation {
   /** Calls the visitor with the degrees, by position on the counter-clockwise walk. */
   static void of(SimplePolygon polygon, Consumer<int[]> visitor) {
     EveryTriangulation run = new EveryTriangulation(polygon, visitor);
-    java.util.Arrays.fill(run.degree, 2);
+    Arrays.fill(run.degree, 2);
     run.cut(new Chords(0, run.n - 1, null));
   }
 

@@ -55,7 +55,7 @@ class PolygonOptimizerTest {
   private static ParityGoal randomWishes(int n, Random random) {
     Wish[] wishes = new Wish[n];
     for (int v = 0; v < n; v++) {
-      wishes[v] = Wish.values()[random.nextInt(3)];
+      wishes[v] = List.of(Wish.values()).get(random.nextInt(3));
     }
     return ParityGoal.of(wishes);
   }
@@ -81,7 +81,7 @@ class PolygonOptimizerTest {
     Path table = files.get(0).getParent().resolveSibling("polygon-optimum.tsv");
     int compared = 0;
     for (String line : Files.readAllLines(table)) {
-      String[] columns = line.split("\t");
+      String[] columns = line.split("\t", -1);
       if (columns[0].startsWith("polygons/") && !columns[3].equals("-")) {
         Path file = table.resolveSibling(columns[0]);
         SimplePolygon polygon = SimplePolygon.of(SharedData.read(file));
@@ -173,8 +173,7 @@ class PolygonOptimizerTest {
           }
         };
 
-    Optimum byCancel =
-        PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, cancelled);
+    Optimum byCancel = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, cancelled);
     Optimum byTime =
         PolygonOptimizer.optimize(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
 
