@@ -66,7 +66,8 @@ public final class MonotonePartition {
   }
 
   /**
-   * The trapezoid chords of a simple polygon: from each vertex, level, as far as the inside goes.
+   * The trapezoid chords of a simple polygon: from each vertex, level, to the first point of the
+   * boundary, where the inside is between.
    */
   public static List<Chord> chords(SimplePolygon polygon) {
     MonotonePartition run = new MonotonePartition(polygon, true);
@@ -184,23 +185,38 @@ public final class MonotonePartition {
     hangs[left] = cusp;
   }
 
-  /** Adds the chord from k to the edge; one of no length, along a level edge, is left out. */
+  /**
+   * Adds the chord from k to the edge, or to a level vertex before it. One of no length, or along a
+   * level edge, is left out.
+   */
   private void chord(int k, int edge) {
     if (chords == null) {
       return;
     }
+    double from = points.x(polygon.vertex(k));
+    double to = levelX(k, edge);
+    int w = rank[k] + (to > from ? 1 : -1); // no other vertex can be level and nearer
+    if (w >= 0 && w < n && points.y(order[w]) == points.y(polygon.vertex(k))) {
+      int level = position(order[w]);
+      if (level == before(k) || level == after(k)) {
+        return;
+      }
+      to = nearer(from, to, points.x(order[w]));
+    }
+    if (to != from) {
+      chords.add(new Chord(polygon.vertex(k), to, points.y(polygon.vertex(k))));
+    }
+  }
+
+  /** Where the level line through position k meets the edge, rounded. */
+  private double levelX(int k, int edge) {
     int v = polygon.vertex(k);
     int a = polygon.vertex(edge);
     int b = polygon.vertex(after(edge));
-    double y = points.y(v);
     double height = points.y(b) - points.y(a);
-    double x =
-        height == 0
-            ? nearer(points.x(v), points.x(a), points.x(b))
-            : points.x(a) + (y - points.y(a)) / height * (points.x(b) - points.x(a));
-    if (x != points.x(v)) {
-      chords.add(new Chord(v, x, y));
-    }
+    return height == 0
+        ? nearer(points.x(v), points.x(a), points.x(b))
+        : points.x(a) + (points.y(v) - points.y(a)) / height * (points.x(b) - points.x(a));
   }
 
   private static double nearer(double x, double a, double b) {

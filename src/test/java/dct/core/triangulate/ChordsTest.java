@@ -1,0 +1,133 @@
+package dct.core.triangulate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dct.core.geometry.Points;
+import dct.core.geometry.Predicates;
+import dct.core.geometry.SimplePolygon;
+import dct.core.triangulate.MonotonePartition.Chord;
+import dct.testing.RandomPolygons;
+import dct.testing.RandomPolygons.Family;
+import dct.testing.Transforms;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The trapezoid chords against a look along the level line through each vertex. */
+class ChordsTest {
+
+  static List<Family> families() {
+    // Between vertices an ulp apart a rounded end says nothing.
+    return RandomPolygons.families().stream().filter(f -> !f.name().equals("ulps")).toList();
+  }
+
+  @ParameterizedTest
+  @MethodSource("families")
+  void chordsReachToTheFirstPointOfTheBoundary(Family family) {
+    for (int seed = 0; seed < 120; seed++) {
+      Points p = family.make(3 + seed % 30, seed);
+      check(p, family + ", seed " + seed);
+      check(Transforms.reversed(p), family + ", reversed, seed " + seed);
+      check(Transforms.rotated(p, 2), family + ", turned, seed " + seed);
+      check(sheared(p), family + ", sheared, seed " + seed);
+    }
+  }
+
+  /** y + x/1024, exact for the small whole numbers of the families, leaves few vertices level. */
+  private static Points sheared(Points p) {
+    double[] y = p.ys();
+    for (int i = 0; i < y.length; i++) {
+      y[i] += p.x(i) / 1024;
+    }
+    return Points.of(p.xs(), y);
+  }
+
+  private static void check(Points p, String what) {
+    List<Chord> chords = MonotonePartition.chords(SimplePolygon.of(p));
+    int expected = 0;
+    for (int v = 0; v < p.size(); v++) {
+      expected += checkSide(p, v, -1, chords, what) + checkSide(p, v, 1, chords, what);
+    }
+    assertThat(chords).as(what).hasSize(expected);
+  }
+
+  /** 1 if there must be a chord on this side of v, after finding it; else 0. */
+  private static int checkSide(Points p, int v, int side, List<Chord> chords, String what) {
+    double nearest = nearest(p, v, side);
+    if (Double.isNaN(nearest) || !isInside(p, (p.x(v) + nearest) / 2, p.y(v))) {
+      return 0;
+    }
+    Chord chord =
+        chords.stream()
+            .filter(c -> c.vertex() == v && Math.signum(c.x() - p.x(v)) == side)
+            .findFirst()
+            .orElseThrow(() -> new AssertionError("no chord at v" + v + ", " + what));
+    assertThat(chord.y()).as(what).isEqualTo(p.y(v));
+    assertThat(chord.x())
+        .as("v%d, %s", v, what)
+        .isCloseTo(nearest, within(1e-9 * (1 + Math.abs(nearest))));
+    return 1;
+  }
+
+  /** The first point of the boundary on the open level ray from v, or NaN. */
+  private static double nearest(Points p, int v, int side) {
+    double nearest = Double.NaN;
+    for (int a = 0; a < p.size(); a++) {
+      int b = (a + 1) % p.size();
+      double hit = Double.NaN;
+      if (p.y(a) == p.y(v) && Math.signum(p.x(a) - p.x(v)) == side) {
+        hit = p.x(a);
+      } else if ((p.y(a) - p.y(v)) * (p.y(b) - p.y(v)) < 0) {
+        boolean upwards = p.y(a) < p.y(b);
+        int turn = upwards ? p.orient(a, b, v) : p.orient(b, a, v);
+        double t = (p.y(v) - p.y(a)) / (p.y(b) - p.y(a));
+        hit = turn == side ? p.x(a) + t * (p.x(b) - p.x(a)) : Double.NaN;
+      }
+      if (!(Math.abs(nearest - p.x(v)) <= Math.abs(hit - p.x(v))) && !Double.isNaN(hit)) {
+        nearest = hit;
+      }
+    }
+    return nearest;
+  }
+
+  /** Whether (x, y) lies inside and not on the boundary: counts the edges above it. */
+  private static boolean isInside(Points p, double x, double y) {
+    boolean inside = false;
+    for (int a = 0; a < p.size(); a++) {
+      int b = (a + 1) % p.size();
+      boolean rightwards = p.x(a) < p.x(b);
+      int turn = Predicates.orient(p.x(a), p.y(a), p.x(b), p.y(b), x, y);
+      boolean between = (p.x(a) <= x) != (p.x(b) <= x);
+      if (turn == 0
+          && Math.min(p.x(a), p.x(b)) <= x
+          && x <= Math.max(p.x(a), p.x(b))
+          && Math.min(p.y(a), p.y(b)) <= y
+          && y <= Math.max(p.y(a), p.y(b))) {
+        return false;
+      }
+      inside ^= between && turn == (rightwards ? -1 : 1);
+    }
+    return inside;
+  }
+
+  /** Twelve corners on four levels: no chord runs along a level edge or through a corner. */
+  @Test
+  void chordsEndAtLevelVertices() {
+    Points cross =
+        Points.ofPairs(1, 0, 2, 0, 2, 1, 3, 1, 3, 2, 2, 2, 2, 3, 1, 3, 1, 2, 0, 2, 0, 1, 1, 1);
+    for (Transforms.Named image : Transforms.all(cross)) {
+      List<Chord> chords = MonotonePartition.chords(SimplePolygon.of(image.points()));
+      assertThat(chords).as("%s", image).hasSize(4);
+      check(image.points(), image.name());
+    }
+  }
+
+  @Test
+  void aTriangleHasOneChord() {
+    List<Chord> chords =
+        MonotonePartition.chords(SimplePolygon.of(Points.ofPairs(0, 0, 8, 2, 0, 4)));
+    assertThat(chords).containsExactly(new Chord(1, 0, 2));
+  }
+}
