@@ -50,8 +50,10 @@ class PolygonAlgorithmsTest {
       for (Transforms.Named image : Transforms.all(p)) {
         PolygonChecks.checkAll(image.points(), what + image);
       }
-      for (Transforms.Named image : Transforms.scales(p)) {
-        PolygonChecks.checkAll(image.points(), what + image);
+      if (!family.name().startsWith("wide range")) {
+        for (Transforms.Named image : Transforms.scales(p)) {
+          PolygonChecks.checkAll(image.points(), what + image);
+        }
       }
     }
   }
@@ -102,6 +104,16 @@ class PolygonAlgorithmsTest {
       pairs[k++] = 12 - 12.0 * i / (c + 1);
     }
     return Points.ofPairs(pairs);
+  }
+
+  /** Its lowest edge rises by so little that the slope is beyond the largest number. */
+  @Test
+  void anEdgeNextToLevel() {
+    Points p =
+        Points.ofPairs(0, 0, 100, 1e-310, 100, 100, 95, 20, 80, 18, 60, 17, 40, 45, 20, 46, 0, 50);
+    for (Transforms.Named image : Transforms.all(p)) {
+      PolygonChecks.checkAll(image.points(), image.name());
+    }
   }
 
   @TestFactory

@@ -1,6 +1,7 @@
 package dct.testing;
 
 import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -52,6 +53,7 @@ public final class RandomPolygons {
         new Family("comb", RandomPolygons::comb),
         new Family("spiral", RandomPolygons::spiral),
         new Family("ulps", (n, r) -> Transforms.ulps(GrownPolygon.grow(n, gridFor(n), r))),
+        new Family("wide range of exponents", RandomPolygons::wideRange),
         new Family("convex", RandomPolygons::convex),
         new Family("convex with straight vertices", RandomPolygons::convexWithStraightVertices));
   }
@@ -102,7 +104,28 @@ public final class RandomPolygons {
   /** Two chains between the leftmost and the rightmost point, in the order by x, then y. */
   public static Points xMonotone(int n, Random random) {
     int range = random.nextBoolean() ? n / 2 + 3 : 100 * n;
-    Points pool = points(distinct(n, range, random));
+    Points chain = twoChains(points(distinct(n, range, random)));
+    return chain.size() < 3 ? xMonotone(n + 1, random) : chain;
+  }
+
+  /** The same with coordinates from 10⁻³⁰⁰ to 10³⁰⁰ and zero. */
+  public static Points wideRange(int n, Random random) {
+    double[] x = random.doubles(n).map(u -> wide(u, random)).toArray();
+    double[] y = random.doubles(n).map(u -> wide(u, random)).toArray();
+    Points chain = twoChains(Sites.of(Points.of(x, y)).points());
+    boolean turned = random.nextBoolean();
+    return chain.size() < 3
+        ? wideRange(n + 1, random)
+        : turned ? Transforms.rotated(chain, 1) : chain;
+  }
+
+  private static double wide(double u, Random random) {
+    return random.nextInt(5) == 0 ? 0 : (u - 0.5) * StrictMath.pow(10, random.nextInt(613) - 305);
+  }
+
+  /** The points, without those on the line from the first to the last, as a simple polygon. */
+  private static Points twoChains(Points pool) {
+    int n = pool.size();
     Integer[] order = new Integer[n];
     Arrays.setAll(order, i -> i);
     Arrays.sort(order, Comparator.<Integer>comparingDouble(pool::x).thenComparingDouble(pool::y));
@@ -122,7 +145,7 @@ public final class RandomPolygons {
         ring[size++] = order[k];
       }
     }
-    return size < 3 ? xMonotone(n + 1, random) : select(pool, Arrays.copyOf(ring, size));
+    return select(pool, Arrays.copyOf(ring, size));
   }
 
   static long[][] distinct(int n, int range, Random random) {

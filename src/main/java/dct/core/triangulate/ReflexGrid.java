@@ -168,9 +168,11 @@ final class ReflexGrid {
 
     void add(double px, double py, double qx, double qy) {
       if (Math.max(py, qy) >= low && Math.min(py, qy) <= high) {
-        double perY = py == qy ? 0 : (qx - px) / (qy - py);
+        boolean level =
+            Math.abs(qy - py) < MARGIN; // lies in the row as a whole; no slope overflows
+        double perY = level ? 0 : (qx - px) / (qy - py);
         addX(px + perY * (clamp(py) - py));
-        addX(py == qy ? qx : px + perY * (clamp(qy) - py));
+        addX(level ? qx : px + perY * (clamp(qy) - py));
       }
     }
 

@@ -19,8 +19,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ChordsTest {
 
   static List<Family> families() {
-    // Between vertices an ulp apart a rounded end says nothing.
-    return RandomPolygons.families().stream().filter(f -> !f.name().equals("ulps")).toList();
+    // Between vertices an ulp apart, or of every size at once, a rounded end says nothing.
+    return RandomPolygons.families().stream()
+        .filter(f -> !f.name().equals("ulps") && !f.name().startsWith("wide"))
+        .toList();
   }
 
   @ParameterizedTest
