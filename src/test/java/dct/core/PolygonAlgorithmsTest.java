@@ -118,9 +118,9 @@ class PolygonAlgorithmsTest {
 
   @TestFactory
   List<DynamicTest> everySample() {
-    List<Path> samples =
-        SharedData.samples().stream().filter(f -> f.toString().contains("_polygonbased")).toList();
-    return samples.stream().map(file -> onAllImages(file)).toList();
+    List<Path> samples = SharedData.samples("polygonbased");
+    assertThat(samples).hasSizeGreaterThanOrEqualTo(12);
+    return samples.stream().map(PolygonAlgorithmsTest::onAllImages).toList();
   }
 
   private static DynamicTest onAllImages(Path file) {

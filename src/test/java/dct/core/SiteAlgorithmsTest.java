@@ -144,10 +144,9 @@ class SiteAlgorithmsTest {
 
   @TestFactory
   List<DynamicTest> everySample() {
-    return SharedData.samples().stream()
-        .filter(f -> f.toString().contains("_pointbased"))
-        .map(SiteAlgorithmsTest::onAllImages)
-        .toList();
+    List<Path> samples = SharedData.samples("pointbased");
+    assertThat(samples).hasSizeGreaterThanOrEqualTo(5);
+    return samples.stream().map(SiteAlgorithmsTest::onAllImages).toList();
   }
 
   private static DynamicTest onAllImages(Path file) {

@@ -27,9 +27,14 @@ public final class SharedData {
     return textFiles(found.get());
   }
 
-  /** The project's samples; a test of the samples fails where they are missing. */
-  public static List<Path> samples() {
-    return textFiles(Path.of("samples"));
+  /**
+   * The project's samples of one kind, {@code polygonbased} or {@code pointbased}; a test of them
+   * fails where they are missing.
+   */
+  public static List<Path> samples(String kind) {
+    return textFiles(Path.of("samples")).stream()
+        .filter(file -> file.toString().endsWith("_" + kind + ".txt"))
+        .toList();
   }
 
   private static Optional<Path> find(Path relative) {
