@@ -5,11 +5,12 @@ import java.util.Arrays;
 import java.util.Comparator;
 
 /**
- * A few sites in the order by x, then y, with every question that a sweep over paths asks of them
+ * A few sites in the order of a sweep, with every question that a sweep over paths asks of them
  * answered beforehand. Sites are named by their rank in the order. O(n⁴) time, O(n³) space.
  *
- * <p>The order is that of a sweep line turned by an infinitesimal angle, so that equal
- * x-coordinates need no special case.
+ * <p>Along x the order is by x, then y; along y it is by y, then −x, the same turned by a right
+ * angle. Either is that of a sweep line turned by an infinitesimal angle more, so that equal
+ * coordinates need no special case. "Above" is on the left of the direction of the sweep.
  */
 final class SweepOrder {
   private final int[] site; // by rank
@@ -17,12 +18,24 @@ final class SweepOrder {
   private final boolean[][] sees; // a < b with no site on the segment between them
   private final boolean[][][] empty; // a < c < b that span a triangle with no other site
 
-  SweepOrder(Points points) {
+  /** The sites in the order by x, then y. */
+  static SweepOrder alongX(Points points) {
+    return new SweepOrder(
+        points, Comparator.<Integer>comparingDouble(points::x).thenComparingDouble(points::y));
+  }
+
+  /** The sites in the order by y, then −x. */
+  static SweepOrder alongY(Points points) {
+    return new SweepOrder(
+        points,
+        Comparator.<Integer>comparingDouble(points::y).thenComparingDouble(v -> -points.x(v)));
+  }
+
+  private SweepOrder(Points points, Comparator<Integer> direction) {
     int n = points.size();
     Integer[] order = new Integer[n];
     Arrays.setAll(order, v -> v);
-    Arrays.sort(
-        order, Comparator.<Integer>comparingDouble(points::x).thenComparingDouble(points::y));
+    Arrays.sort(order, direction);
     site = Arrays.stream(order).mapToInt(v -> v).toArray();
     turn = new int[n][n][n];
     sees = new boolean[n][n];
