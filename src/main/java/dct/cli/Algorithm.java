@@ -9,7 +9,7 @@ import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /** The algorithms by their names on the command line; the first of each domain is its default. */
@@ -44,16 +44,37 @@ enum Algorithm {
     };
   }
 
-  /** The algorithm of this name, if it is one for this domain. */
-  static Optional<Algorithm> of(String word, Domain domain) {
-    return Arrays.stream(values())
-        .filter(a -> a.word.equals(word) && a.domain == domain)
-        .findFirst();
+  /**
+   * The algorithm of this name for this domain.
+   *
+   * @throws UsageException if there is none
+   */
+  static Algorithm of(String word, Domain domain) {
+    if (!isOne(word, domain)) {
+      throw new UsageException(
+          "--algorithm %s is none for %s, use %s"
+              .formatted(word, domain == Domain.POLYGON ? "a polygon" : "points", words(domain)));
+    }
+    return find(domain, algorithm -> algorithm.word.equals(word));
+  }
+
+  /** Whether there is an algorithm of this name for this domain. */
+  static boolean isOne(String word, Domain domain) {
+    return find(domain, algorithm -> algorithm.word.equals(word)) != null;
   }
 
   /** The algorithm for this domain unless another is asked for. */
   static Algorithm byDefault(Domain domain) {
-    return Arrays.stream(values()).filter(a -> a.domain == domain).findFirst().orElseThrow();
+    return find(domain, algorithm -> true);
+  }
+
+  private static Algorithm find(Domain domain, Predicate<Algorithm> wish) {
+    for (Algorithm algorithm : values()) {
+      if (algorithm.domain == domain && wish.test(algorithm)) {
+        return algorithm;
+      }
+    }
+    return null;
   }
 
   /** The names for a domain, for messages. */

@@ -3,33 +3,23 @@ package dct.cli;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import java.io.IOException;
-import java.util.concurrent.Callable;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct check}: whether an input can be triangulated. */
-@Command(
-    name = "check",
-    description = "Is it a simple polygon, or usable sites? Says what is wrong, and where.")
-final class CheckCommand implements Callable<Integer> {
-  private final Console console;
-
-  @Mixin private InputOptions input;
-
-  @Option(names = "--quiet", description = "Print nothing; the exit status tells.")
-  private boolean quiet;
+final class CheckCommand extends Verb {
+  private final InputParameters input = new InputParameters(this);
+  private final OptionSpec quiet = flag("--quiet", "Print nothing; the exit status tells.");
 
   CheckCommand(Console console) {
-    this.console = console;
+    super(console, "Is it a simple polygon, or usable sites? Says what is wrong, and where.");
   }
 
   @Override
   public Integer call() throws IOException {
-    Shape shape = Shape.of(input.read(console));
-    if (!quiet) {
+    Shape shape = Shape.of(input.read());
+    if (!isSet(quiet)) {
       String found = shape.polygon() != null ? found(shape.polygon()) : found(shape.sites());
-      console.print(input.name() + ": " + found);
+      console().print(input.name() + ": " + found);
     }
     return CommandLineProgram.DONE;
   }

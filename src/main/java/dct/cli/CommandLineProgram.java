@@ -7,11 +7,9 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Function;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
-import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Model.CommandSpec;
 
 /**
  * The program without a screen.
@@ -32,16 +30,9 @@ public final class CommandLineProgram {
   /** An input cannot be used. */
   public static final int BAD_INPUT = 3;
 
-  /** The verbs, in the order of the help, each with the maker of its command. */
-  private static final Map<String, Function<Console, Object>> VERBS =
-      Map.of(
-          "triangulate", TriangulateCommand::new,
-          "generate", GenerateCommand::new,
-          "convert", ConvertCommand::new,
-          "check", CheckCommand::new,
-          "verify", VerifyCommand::new);
+  static final int HELP_WIDTH = 100;
 
-  private static final List<String> ORDER =
+  private static final List<String> VERBS =
       List.of("triangulate", "generate", "convert", "check", "verify");
 
   private final Console console;
@@ -52,7 +43,7 @@ public final class CommandLineProgram {
 
   /** Whether this word is one of the program's verbs. */
   public static boolean isVerb(String word) {
-    return VERBS.containsKey(word);
+    return VERBS.contains(word);
   }
 
   /** Does what these arguments ask for; returns the exit status. */
@@ -79,22 +70,44 @@ public final class CommandLineProgram {
   }
 
   private CommandLine commandLine(String... arguments) {
-    CommandLine program = new CommandLine(new TopCommand());
-    // Reading a command's annotations takes time: where the verb is clear, only its own are read.
+    CommandSpec top = top();
     boolean clear = arguments.length > 0 && isVerb(arguments[0]);
-    for (String verb : clear ? List.of(arguments[0]) : ORDER) {
-      program.addSubcommand(verb, VERBS.get(verb).apply(console));
+    for (String verb : clear ? List.of(arguments[0]) : VERBS) {
+      top.addSubcommand(verb, verb(verb).spec());
     }
-    return program
+    return new CommandLine(top)
         .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
         .setOut(new PrintWriter(console.out(), false, StandardCharsets.UTF_8))
         .setErr(new PrintWriter(console.err(), true, StandardCharsets.UTF_8))
-        .setParameterExceptionHandler((e, args) -> wrongUsage(e))
+        .setParameterExceptionHandler((e, args) -> wrongUsage(e.getMessage(), e.getCommandLine()))
         .setExecutionExceptionHandler((e, command, result) -> explain(e, command));
   }
 
-  private int wrongUsage(ParameterException e) {
-    return wrongUsage(e.getMessage(), e.getCommandLine());
+  private static CommandSpec top() {
+    Runnable noVerb =
+        () -> {
+          throw new UsageException("a verb is missing");
+        };
+    CommandSpec top = CommandSpec.wrapWithoutInspection(noVerb).name("dct");
+    Verb.addHelp(top);
+    top.usageMessage()
+        .description("Triangulations with as many even-degree vertices as possible.")
+        .synopsisSubcommandLabel("VERB")
+        .footer(
+            "",
+            "Without arguments the window opens; dct FILE… opens files in it.",
+            "Exit status: 0 done, 2 wrong usage, 3 bad input, 1 anything else.");
+    return top;
+  }
+
+  private Verb verb(String name) {
+    return switch (name) {
+      case "triangulate" -> new TriangulateCommand(console);
+      case "generate" -> new GenerateCommand(console);
+      case "convert" -> new ConvertCommand(console);
+      case "check" -> new CheckCommand(console);
+      default -> new VerifyCommand(console);
+    };
   }
 
   private int wrongUsage(String message, CommandLine command) {

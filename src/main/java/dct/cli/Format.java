@@ -1,6 +1,5 @@
 package dct.cli;
 
-import java.util.Arrays;
 import java.util.Locale;
 
 /** The formats of outputs; the ending of a file's name chooses one. */
@@ -17,13 +16,13 @@ enum Format {
    */
   static Format of(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
-    return Arrays.stream(values())
-        .filter(format -> lower.endsWith(format.ending()))
-        .findFirst()
-        .orElseThrow(
-            () ->
-                new UsageException(
-                    "the ending of " + name + " is no format, use .txt, .json, .png or .svg"));
+    for (Format format : values()) {
+      if (lower.endsWith(format.ending())) {
+        return format;
+      }
+    }
+    throw new UsageException(
+        "the ending of " + name + " is no format, use .txt, .json, .png or .svg");
   }
 
   private String ending() {

@@ -6,76 +6,64 @@ import dct.experiment.RandomSites;
 import dct.io.PointDocument;
 import java.io.IOException;
 import java.util.List;
-import java.util.concurrent.Callable;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
+import java.util.Objects;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** {@code dct generate}: seeded random input. */
-@Command(
-    name = "generate",
-    description = {
-      "Makes random points.",
-      "They have integer coordinates, all different, 0 ≤ x < 1000, 0 ≤ y < 700. From"
-          + " 350001 points on, both sides are doubled until half of the places stay free. The same"
-          + " options give the same points on every machine."
-    })
-final class GenerateCommand implements Callable<Integer> {
-  private final Console console;
+final class GenerateCommand extends Verb {
+  private static final long DEFAULT_SEED = 1;
 
-  @Parameters(paramLabel = "points", description = "What to make.")
-  private String what;
-
-  @Option(names = "-n", required = true, paramLabel = "N", description = "How many.")
-  private int n;
-
-  @Option(
-      names = "--shape",
-      paramLabel = "S",
-      defaultValue = "uniform",
-      description = "How they lie: uniform (default and only).")
-  private String shape;
-
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "1",
-      description = "Which of the random sets, any whole number; default 1.")
-  private long seed;
-
-  @Option(
-      names = {"-o", "--output"},
-      paramLabel = "OUTPUT",
-      defaultValue = "-",
-      description =
-          "Where to: .txt, .json, .png or .svg; - (default) is text on standard output. May repeat.")
-  private List<String> outputs;
+  private final PositionalParamSpec what = parameter("points", "What to make.");
+  private final OptionSpec n = requiredOption("-n", "N", Integer.class, "How many.");
+  private final OptionSpec shape =
+      option("--shape", "S", String.class, "How they lie: uniform (default and only).");
+  private final OptionSpec seed =
+      option(
+          "--seed", "N", Long.class, "Which of the random sets, any whole number; 1 by default.");
+  private final OptionSpec output =
+      outputs(
+          false,
+          "Where to: .txt, .json, .png or .svg; - is text on standard output, which is the default."
+              + " May repeat.");
 
   GenerateCommand(Console console) {
-    this.console = console;
+    super(
+        console,
+        "Makes random points.",
+        "They have integer coordinates, are all different, 0 ≤ x < 1000 and 0 ≤ y < 700. From 350001"
+            + " points on, both sides are doubled until half of the places stay free. The same"
+            + " options give the same points on every machine.");
   }
 
   @Override
   public Integer call() throws IOException {
-    check();
-    Points points = RandomSites.uniform(n, seed);
-    PointDocument document = PointDocument.of("-", Domain.SITES, points);
-    for (String output : outputs) {
-      PointOutput.write(document, output, console);
+    List<String> outputs = outputsOf(output);
+    checkShape();
+    PointDocument document = PointDocument.of(STANDARD_STREAM, Domain.SITES, points());
+    for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
+      PointOutput.write(document, file, console());
     }
     return CommandLineProgram.DONE;
   }
 
-  private void check() {
-    if (!what.equals("points")) {
-      throw new UsageException(what + " cannot be made, only points");
+  private void checkShape() {
+    String word = what.getValue();
+    if (!word.equals("points")) {
+      throw new UsageException(word + " cannot be made, only points");
     }
-    if (!shape.equals("uniform")) {
-      throw new UsageException("--shape " + shape + " is unknown, use uniform");
+    String wished = shape.getValue();
+    if (wished != null && !wished.equals("uniform")) {
+      throw new UsageException("--shape " + wished + " is unknown, use uniform");
     }
-    if (n < 1 || n > RandomSites.MOST) {
-      throw new UsageException("-n " + n + " is not from 1 to " + RandomSites.MOST);
+  }
+
+  private Points points() {
+    int count = n.getValue();
+    if (count < 1 || count > RandomSites.MOST) {
+      throw new UsageException("-n " + count + " is not from 1 to " + RandomSites.MOST);
     }
-    outputs.stream().filter(output -> !output.equals("-")).forEach(Format::of);
+    Long wished = seed.getValue();
+    return RandomSites.uniform(count, Objects.requireNonNullElse(wished, DEFAULT_SEED));
   }
 }

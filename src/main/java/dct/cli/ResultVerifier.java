@@ -74,7 +74,7 @@ final class ResultVerifier {
       throw lie("the field \"edgeList\" is missing, these are points without a triangulation");
     }
     String algorithm = stored.text("algorithm").orElse("");
-    if (Algorithm.of(algorithm, domain).isEmpty()) {
+    if (!Algorithm.isOne(algorithm, domain)) {
       throw lie("the algorithm is none of " + Algorithm.words(domain));
     }
     String post = stored.text("post").orElse("");

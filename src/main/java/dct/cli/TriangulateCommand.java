@@ -5,86 +5,66 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
-import dct.io.DomainWord;
 import dct.io.Result;
 import dct.io.ResultJson;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct triangulate}: an algorithm, perhaps flips, and what came out. */
-@Command(
-    name = "triangulate",
-    description =
-        "Triangulates a simple polygon, or point sites, and counts even and odd vertices.")
-final class TriangulateCommand implements Callable<Integer> {
-  private final Console console;
-
-  @Mixin private InputOptions input;
-
-  @Option(
-      names = "--algorithm",
-      paramLabel = "A",
-      description =
+final class TriangulateCommand extends Verb {
+  private final InputParameters input = new InputParameters(this);
+  private final OptionSpec algorithm =
+      option(
+          "--algorithm",
+          "A",
+          String.class,
           "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points delaunay"
-              + " (default and only).")
-  private String algorithm;
-
-  @Option(names = "--flip", description = "Run Scan-Flip on what the algorithm made.")
-  private boolean flip;
-
-  @Option(
-      names = {"-o", "--output"},
-      paramLabel = "OUTPUT",
-      description =
+              + " (default and only).");
+  private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
+  private final OptionSpec output =
+      outputs(
+          false,
           "Where to write: .json the whole result, .txt the vertices, .png or .svg a picture; - is the"
-              + " whole result as JSON on standard output. May repeat.")
-  private List<String> outputs = List.of();
-
-  @Option(names = "--json", description = "Print the summary as one JSON object.")
-  private boolean json;
-
-  @Option(names = "--quiet", description = "Print no summary for people.")
-  private boolean quiet;
+              + " whole result as JSON on standard output. May repeat.");
+  private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
+  private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");
 
   TriangulateCommand(Console console) {
-    this.console = console;
+    super(
+        console,
+        "Triangulates a simple polygon, or point sites, and counts even and odd vertices.");
   }
 
   @Override
   public Integer call() throws IOException {
-    outputs.stream().filter(output -> !output.equals("-")).forEach(Format::of);
-    if (json && outputs.contains("-")) {
+    List<String> outputs = outputsOf(output);
+    boolean printsResult = outputs.contains(STANDARD_STREAM);
+    if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
     ResultOutput made = make();
-    for (String output : outputs) {
-      made.write(output, console);
+    for (String file : outputs) {
+      made.write(file, console());
     }
-    print(made.result());
+    if (isSet(json)) {
+      console().print(ResultJson.summary(made.result()));
+    } else if (!isSet(quiet) && !printsResult) {
+      console().print(Summary.of(made.result()));
+    }
     return CommandLineProgram.DONE;
-  }
-
-  private void print(Result result) throws IOException {
-    if (json) {
-      console.print(ResultJson.summary(result));
-    } else if (!quiet && !outputs.contains("-")) {
-      console.print(Summary.of(result));
-    }
   }
 
   private ResultOutput make() throws IOException {
     Stopwatch watch = new Stopwatch();
-    Shape shape = Shape.of(input.read(console));
+    Shape shape = Shape.of(input.read());
     double read = watch.lap();
     Algorithm chosen = chosen(shape.domain());
     Triangulation made = chosen.triangulate(shape);
     double triangulate = watch.lap();
-    Optional<FlipResult> flipped = flip ? Optional.of(ScanFlip.run(made)) : Optional.empty();
+    Optional<FlipResult> flipped = isSet(flip) ? Optional.of(ScanFlip.run(made)) : Optional.empty();
+    double post = flipped.isPresent() ? watch.lap() : 0;
     Result result =
         new Result(
             input.name(),
@@ -92,7 +72,7 @@ final class TriangulateCommand implements Callable<Integer> {
             flipped.map(FlipResult::after).orElse(made),
             flipped.map(TriangulateCommand::post),
             shape.merged(),
-            new Result.Millis(read, triangulate, flip ? watch.lap() : 0));
+            new Result.Millis(read, triangulate, post));
     return new ResultOutput(result, flipped);
   }
 
@@ -101,17 +81,7 @@ final class TriangulateCommand implements Callable<Integer> {
   }
 
   private Algorithm chosen(Domain domain) {
-    if (algorithm == null) {
-      return Algorithm.byDefault(domain);
-    }
-    return Algorithm.of(algorithm, domain)
-        .orElseThrow(
-            () ->
-                new UsageException(
-                    "--algorithm %s is none for %s, use %s"
-                        .formatted(
-                            algorithm,
-                            domain == Domain.POLYGON ? "a polygon" : DomainWord.of(domain),
-                            Algorithm.words(domain))));
+    String word = algorithm.getValue();
+    return word == null ? Algorithm.byDefault(domain) : Algorithm.of(word, domain);
   }
 }

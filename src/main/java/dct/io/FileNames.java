@@ -25,7 +25,12 @@ public final class FileNames {
   /** What a file holds by its name, whatever its extension; nothing if the name does not say. */
   public static Optional<Domain> domain(Path file) {
     String stem = stem(name(file)).toLowerCase(Locale.ROOT);
-    return Stream.of(Domain.values()).filter(d -> stem.endsWith(suffix(d))).findFirst();
+    for (Domain domain : Domain.values()) {
+      if (stem.endsWith(suffix(domain))) {
+        return Optional.of(domain);
+      }
+    }
+    return Optional.empty();
   }
 
   /**

@@ -118,6 +118,7 @@ class CommandLineProgramTest {
                 + ": cannot be written, No space left on device;"
                 + " nothing was changed, choose another place\n");
     assertThat(link).isSymbolicLink();
+    Files.delete(link);
   }
 
   @ParameterizedTest

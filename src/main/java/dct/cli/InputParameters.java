@@ -1,0 +1,80 @@
+package dct.cli;
+
+import dct.core.triangulate.Domain;
+import dct.io.BadInputException;
+import dct.io.DomainWord;
+import dct.io.PointDocument;
+import dct.io.PointFile;
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
+
+/** The input of a verb, and what it is to be read as. */
+final class InputParameters {
+  private final Console console;
+  private final PositionalParamSpec name;
+  private final OptionSpec as;
+
+  /** Declares them. */
+  InputParameters(Verb verb) {
+    console = verb.console();
+    name =
+        verb.parameter(
+            "INPUT",
+            "A file with a vertex x y a line, or the program's JSON; - is standard input. The"
+                + " extension, also with _polygonbased or _pointbased, may be left out.");
+    as =
+        verb.option(
+            "--as",
+            "polygon|points",
+            String.class,
+            "What the input is. By default its name (_polygonbased, _pointbased) says so, or else"
+                + " its contents (\"kind\" in JSON, a comment \"# kind: points\"), or else it has to"
+                + " be a polygon.");
+  }
+
+  /** The name of the input as the user gave it. */
+  String name() {
+    return name.getValue();
+  }
+
+  /** Reads the input; what it is declared to be is what was asked for, if anything was. */
+  PointDocument read() throws IOException {
+    Optional<Domain> asked = asked();
+    String input = name();
+    PointDocument document =
+        input.equals(Verb.STANDARD_STREAM)
+            ? PointFile.read(input, console.in())
+            : PointFile.read(path(input));
+    return asked.isPresent() ? document.declared(asked.get()) : document;
+  }
+
+  /**
+   * The path of this name.
+   *
+   * @throws BadInputException if no file can have it
+   */
+  static Path path(String name) {
+    try {
+      return Path.of(name);
+    } catch (InvalidPathException e) {
+      throw new BadInputException(
+          name, 0, "this can be no file's name here; rename the file or set a UTF-8 locale");
+    }
+  }
+
+  private Optional<Domain> asked() {
+    String word = as.getValue();
+    if (word == null) {
+      return Optional.empty();
+    }
+    Optional<Domain> domain = DomainWord.parse(word);
+    if (domain.isEmpty()) {
+      throw new UsageException("--as " + word + " is unknown, use polygon or points");
+    }
+    return domain;
+  }
+}

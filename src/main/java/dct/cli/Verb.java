@@ -1,0 +1,126 @@
+package dct.cli;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
+
+/**
+ * One verb of the command line: its parameters, and what it does with them.
+ *
+ * <p>The parameters are declared by calls and not by annotations, whose reflection would double the
+ * time that the program takes to start.
+ */
+abstract class Verb implements Callable<Integer> {
+  static final String STANDARD_STREAM = "-";
+
+  private final Console console;
+  private final CommandSpec spec = CommandSpec.wrapWithoutInspection(this);
+
+  Verb(Console console, String... description) {
+    this.console = console;
+    addHelp(spec);
+    spec.usageMessage().description(description);
+  }
+
+  /** Adds what every command understands. */
+  static void addHelp(CommandSpec spec) {
+    spec.addOption(
+        OptionSpec.builder("-h", "--help")
+            .usageHelp(true)
+            .description("Show this help and exit.")
+            .build());
+    spec.addOption(
+        OptionSpec.builder("-V", "--version")
+            .versionHelp(true)
+            .description("Show the version and exit.")
+            .build());
+    spec.version(version());
+    spec.usageMessage().sortOptions(false).width(CommandLineProgram.HELP_WIDTH);
+  }
+
+  private static String version() {
+    String version = Verb.class.getPackage().getImplementationVersion();
+    return "dct " + (version == null ? "(not from a jar)" : version);
+  }
+
+  final CommandSpec spec() {
+    return spec;
+  }
+
+  final Console console() {
+    return console;
+  }
+
+  /** Declares a required parameter without a name. */
+  final PositionalParamSpec parameter(String label, String description) {
+    PositionalParamSpec parameter =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .required(true)
+            .arity("1")
+            .type(String.class)
+            .description(description)
+            .build();
+    spec.addPositional(parameter);
+    return parameter;
+  }
+
+  /** Declares an option without a value. */
+  final OptionSpec flag(String name, String description) {
+    OptionSpec option =
+        OptionSpec.builder(name).type(boolean.class).arity("0").description(description).build();
+    spec.addOption(option);
+    return option;
+  }
+
+  /** Declares an option with a value of this type, null where it is not given. */
+  final OptionSpec option(String name, String label, Class<?> type, String description) {
+    return option(OptionSpec.builder(name).type(type), label, description);
+  }
+
+  /** Declares an option that has to be given, with a value of this type. */
+  final OptionSpec requiredOption(String name, String label, Class<?> type, String description) {
+    return option(OptionSpec.builder(name).type(type).required(true), label, description);
+  }
+
+  /** Declares the option {@code -o}, which may repeat. */
+  final OptionSpec outputs(boolean required, String description) {
+    return option(
+        OptionSpec.builder("-o", "--output")
+            .type(List.class)
+            .auxiliaryTypes(String.class)
+            .required(required),
+        "OUTPUT",
+        description);
+  }
+
+  private OptionSpec option(OptionSpec.Builder builder, String label, String description) {
+    OptionSpec option = builder.paramLabel(label).arity("1").description(description).build();
+    spec.addOption(option);
+    return option;
+  }
+
+  static boolean isSet(OptionSpec flag) {
+    return Boolean.TRUE.equals(flag.getValue());
+  }
+
+  /**
+   * The outputs asked for, none if there is no {@code -o}.
+   *
+   * @throws UsageException if one of them has an ending that is no format
+   */
+  static List<String> outputsOf(OptionSpec option) {
+    List<String> outputs = option.getValue();
+    if (outputs == null) {
+      return List.of();
+    }
+    for (String output : outputs) {
+      if (!output.equals(STANDARD_STREAM)) {
+        Format.of(output);
+      }
+    }
+    return outputs;
+  }
+}
