@@ -67,6 +67,13 @@ public record Box(double minX, double minY, double maxX, double maxY) {
     return x >= minX && x <= maxX && y >= minY && y <= maxY;
   }
 
+  /** Whether the other box lies in this one and is not small in it: a quarter of a side or more. */
+  public boolean suits(Box other) {
+    return holds(other.minX, other.minY)
+        && holds(other.maxX, other.maxY)
+        && (4 * other.halfWidth() >= halfWidth() || 4 * other.halfHeight() >= halfHeight());
+  }
+
   /** This box with every side moved outwards. */
   Box grown(double by) {
     return new Box(minX - by, minY - by, maxX + by, maxY + by);

@@ -27,7 +27,7 @@ public final class GraphicsPen implements Pen {
   private final Rectangle2D.Double rectangle = new Rectangle2D.Double();
 
   /**
-   * A pen for these graphics, whose colour, stroke and hints it changes.
+   * A pen for these graphics, whose state it changes.
    *
    * @param smooth whether edges are smoothed; without, large scenes are drawn several times faster
    */
@@ -41,12 +41,14 @@ public final class GraphicsPen implements Pen {
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     antialias(smooth);
+    // Whole coordinates are the centres of pixels: level and upright lines come out sharp.
+    graphics.translate(0.5, 0.5);
   }
 
-  /** Fills a rectangle with the colour of the ground. */
+  /** Fills a screen of this size with the colour of the ground. */
   public void ground(int width, int height) {
     graphics.setColor(colours.get(Ink.BACKGROUND));
-    graphics.fillRect(0, 0, width, height);
+    graphics.fillRect(-1, -1, width + 2, height + 2);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package dct.render;
 
 import dct.io.AtomicFile;
+import dct.io.CannotWriteException;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -46,9 +47,9 @@ public final class PictureFile {
    * is written whole or not at all.
    *
    * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
-   * @throws IOException if writing failed; nothing is changed then
+   * @throws CannotWriteException if writing failed; nothing is changed then
    */
-  public static void write(Scene scene, Path file) throws IOException {
+  public static void write(Scene scene, Path file) throws CannotWriteException {
     write(scene, fitted(scene), WIDTH, HEIGHT, file);
   }
 
@@ -56,10 +57,10 @@ public final class PictureFile {
    * Writes what this viewport shows of the scene on a screen of this size.
    *
    * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
-   * @throws IOException if writing failed; nothing is changed then
+   * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Scene scene, Viewport view, int width, int height, Path file)
-      throws IOException {
+      throws CannotWriteException {
     Format format =
         Format.of(file)
             .orElseThrow(

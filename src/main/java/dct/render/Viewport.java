@@ -103,6 +103,11 @@ public final class Viewport {
     return new Viewport(scale, modelX, modelY, screenX, screenY, yUp);
   }
 
+  /** This viewport with y the other way, and this place of the screen kept where it is. */
+  public Viewport flipped(double screenX, double screenY) {
+    return new Viewport(scale, modelX(screenX), modelY(screenY), screenX, screenY, !yUp);
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof Viewport that
