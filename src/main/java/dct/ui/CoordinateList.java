@@ -1,0 +1,89 @@
+package dct.ui;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import dct.core.geometry.Points;
+import java.awt.Color;
+import java.awt.Font;
+import java.math.BigDecimal;
+import javax.swing.BorderFactory;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+
+/**
+ * The coordinates of the displayed vertices, in order, a vertex a line, in the form of the
+ * program's files; their numbers stand in a column of their own, so that lines can be copied.
+ */
+final class CoordinateList extends JScrollPane {
+  private static final long serialVersionUID = 1L;
+
+  /** A text of more lines would take longer to lay out than the mouse takes to move on. */
+  private static final int MOST_LINES = 5_000;
+
+  private final JTextArea coordinates = new JTextArea();
+  private final JTextArea numbers = new JTextArea();
+  private transient Points shown;
+
+  CoordinateList() {
+    coordinates.setName("coordinates");
+    coordinates.getAccessibleContext().setAccessibleName("Coordinates of the vertices");
+    numbers.getAccessibleContext().setAccessibleName("Numbers of the vertices");
+    numbers.setFocusable(false);
+    numbers.putClientProperty(FlatClientProperties.MINIMUM_WIDTH, 0);
+    for (JTextArea area : new JTextArea[] {coordinates, numbers}) {
+      area.setEditable(false);
+      area.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
+    }
+    numbers.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+    coordinates.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 8));
+    setViewportView(coordinates);
+    setRowHeaderView(numbers);
+    dim();
+  }
+
+  /** Shows these points. */
+  void show(Points points) {
+    if (points.equals(shown)) {
+      return;
+    }
+    shown = points;
+    int lines = Math.min(points.size(), MOST_LINES);
+    StringBuilder text = new StringBuilder();
+    StringBuilder names = new StringBuilder();
+    for (int v = 0; v < lines; v++) {
+      names.append('v').append(v).append('\n');
+      text.append(number(points.x(v))).append(' ').append(number(points.y(v))).append('\n');
+    }
+    if (lines < points.size()) {
+      text.append("and ").append(points.size() - lines).append(" more");
+    }
+    int caret = Math.min(coordinates.getCaretPosition(), text.length());
+    numbers.setText(names.toString());
+    coordinates.setText(text.toString());
+    coordinates.setCaretPosition(caret);
+  }
+
+  private static String number(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e15
+        ? Long.toString((long) value)
+        : new BigDecimal(Double.toString(value)).stripTrailingZeros().toString();
+  }
+
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    if (numbers != null) {
+      dim();
+    }
+  }
+
+  private void dim() {
+    // The text is for reading and copying; it is not disabled, though it cannot be edited.
+    coordinates.setBackground(UIManager.getColor("TextField.background"));
+    numbers.setBackground(UIManager.getColor("TextField.background"));
+    Color grey = UIManager.getColor("Label.disabledForeground");
+    if (grey != null) {
+      numbers.setForeground(grey);
+    }
+  }
+}

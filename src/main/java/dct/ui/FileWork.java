@@ -1,0 +1,195 @@
+package dct.ui;
+
+import dct.core.geometry.Points;
+import dct.core.geometry.SimplicityCheck;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Domain;
+import dct.io.CannotWriteException;
+import dct.io.FileNames;
+import dct.io.PointDocument;
+import dct.io.PointFile;
+import dct.ui.document.Document;
+import dct.ui.document.Editor;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JFrame;
+
+/** What the File menu does to the documents. */
+final class FileWork {
+  private final JFrame window;
+  private final Workbench workbench;
+  private final Runnable shown;
+  private Optional<Path> folder = Optional.empty();
+
+  /**
+   * What was read from a file.
+   *
+   * @param merged how many sites were in it twice
+   */
+  private record Read(Document document, String name, int merged) {}
+
+  /**
+   * File work for a window.
+   *
+   * @param shown is run when another document was put on the canvas
+   */
+  FileWork(JFrame window, Workbench workbench, Runnable shown) {
+    this.window = window;
+    this.workbench = workbench;
+    this.shown = shown;
+  }
+
+  /** Begins an empty document of the chosen application. */
+  void startAnew() {
+    workbench.active().ifPresent(editor -> unlessLost(editor, () -> startAnew(editor)));
+  }
+
+  private void startAnew(Editor editor) {
+    editor.startAnew();
+    workbench.chooseDraw();
+    shown.run();
+  }
+
+  /** Asks for a file and opens it. */
+  void open() {
+    Chooser.DOCUMENTS.open(window, folder).ifPresent(this::open);
+  }
+
+  /** Opens a file in the application that it belongs to; whatever fails, nothing changes. */
+  void open(Path typed) {
+    Domain otherwise = workbench.domain().orElse(Domain.POLYGON);
+    workbench
+        .jobs()
+        .submit("Reading " + typed.getFileName(), p -> read(typed, otherwise), this::offer);
+    folder = Optional.ofNullable(typed.toAbsolutePath().getParent());
+  }
+
+  private Read read(Path typed, Domain otherwise) {
+    PointDocument read = PointFile.read(typed);
+    Domain domain = read.declared().orElse(otherwise);
+    Path file = FileNames.forOpening(typed);
+    String name = file.getFileName().toString();
+    if (domain == Domain.POLYGON) {
+      return new Read(new Document(domain, read.polygon().points()), name, 0);
+    }
+    Sites sites = read.sites();
+    return new Read(new Document(domain, sites.points()), name, sites.merged());
+  }
+
+  /** Opens a sample. */
+  void openSample(String name) {
+    offer(new Read(Samples.read(name), name, 0));
+  }
+
+  private void offer(Read read) {
+    unlessLost(workbench.editor(read.document.domain()), () -> show(read));
+  }
+
+  private void show(Read read) {
+    Domain domain = read.document.domain();
+    workbench.choose(domain);
+    workbench.chooseEdit(); // a stray click should not add a vertex to what was opened
+    workbench.editor(domain).load(read.document, read.name);
+    shown.run();
+    if (read.merged > 0) {
+      workbench.say(read.merged + " sites were there already and have been merged");
+    }
+  }
+
+  /** Does something that replaces the document; asks first if it has changes. */
+  private void unlessLost(Editor editor, Runnable then) {
+    if (!editor.history().isChanged()) {
+      then.run();
+      return;
+    }
+    String question = editor.name() + " has changes that are not saved. Save them?";
+    switch (Ask.choose(window, "Unsaved Changes", question, "Save", "Discard", "Cancel")) {
+      case 0 -> save(editor, then);
+      case 1 -> then.run();
+      default -> {}
+    }
+  }
+
+  /** Asks where to save the chosen application's document, and saves it. */
+  void save() {
+    workbench.active().ifPresent(editor -> save(editor, () -> {}));
+  }
+
+  private void save(Editor editor, Runnable then) {
+    if (!acceptsUnreadable(editor.document())) {
+      return;
+    }
+    Optional<Path> typed = Chooser.DOCUMENTS.save(window, suggestion(editor));
+    if (typed.isPresent()) {
+      Path file = FileNames.forSaving(typed.get(), editor.domain());
+      if (!Files.exists(file) || Chooser.confirmReplacing(window, file)) {
+        save(editor, file, then);
+      }
+    }
+  }
+
+  private Path suggestion(Editor editor) {
+    if (editor.file().isPresent()) {
+      return editor.file().get();
+    }
+    boolean sample = FileNames.domain(Path.of(editor.name())).isPresent();
+    Path name = Path.of(sample ? editor.name() : "untitled" + FileNames.suffix(editor.domain()));
+    return folder.map(f -> f.resolve(name)).orElse(name);
+  }
+
+  /** A file that cannot be opened again is saved only if the user insists. */
+  private boolean acceptsUnreadable(Document document) {
+    Points points = document.points();
+    Optional<String> fault =
+        document.domain() == Domain.POLYGON
+            ? SimplicityCheck.firstDefect(points).map(defect -> defect.message())
+            : points.size() < 3
+                ? Optional.of("there are fewer than three sites")
+                : Optional.empty();
+    return fault
+        .map(
+            sentence ->
+                Ask.confirm(
+                    window,
+                    "Save",
+                    "This cannot be opened again as it is: " + sentence + ". Save it all the same?",
+                    "Save"))
+        .orElse(true);
+  }
+
+  private void save(Editor editor, Path file, Runnable then) {
+    Document document = editor.document();
+    folder = Optional.ofNullable(file.toAbsolutePath().getParent());
+    workbench
+        .jobs()
+        .submit(
+            "Saving " + file.getFileName(),
+            progress -> write(file, document),
+            written -> {
+              editor.saved(document, written);
+              workbench.say("Saved " + written);
+              then.run();
+            });
+  }
+
+  private static Path write(Path file, Document document) {
+    try {
+      PointFile.write(file, document.domain(), document.points());
+      return file;
+    } catch (CannotWriteException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The documents that have changes which are not saved. */
+  List<String> unsaved() {
+    return List.of(Domain.values()).stream()
+        .map(workbench::editor)
+        .filter(editor -> editor.history().isChanged())
+        .map(Editor::name)
+        .toList();
+  }
+}

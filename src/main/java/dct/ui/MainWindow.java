@@ -1,0 +1,234 @@
+package dct.ui;
+
+import dct.core.geometry.Defect;
+import dct.core.triangulate.Domain;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.canvas.ToolMouse;
+import dct.ui.document.Editor;
+import dct.ui.job.Jobs;
+import dct.ui.tool.Spot;
+import dct.ui.tool.Tool;
+import java.awt.BorderLayout;
+import java.awt.Cursor;
+import java.awt.event.ActionEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+
+/** The thesis's window: menu bar, canvas, east panel; and a status line. */
+public final class MainWindow extends JFrame {
+  private static final long serialVersionUID = 1L;
+  private static final String PROGRAM = "Degree Constrained Triangulation";
+
+  private final CanvasPanel canvas = new CanvasPanel();
+  private final transient Workbench workbench;
+  private final StatusBar status;
+  private final EastPanel east;
+  private final transient MainCommands commands;
+  private final transient FileWork files;
+  private final transient PolygonResults polygons;
+  private transient Editor last; // what was shown before
+
+  /** A window that is not visible yet, with no application chosen. */
+  public MainWindow() {
+    super(PROGRAM);
+    setName("main");
+    workbench = new Workbench(canvas::viewport, this::say);
+    status = new StatusBar(workbench.jobs()::cancelCurrent);
+    polygons = new PolygonResults(workbench, this);
+    SitesWork sites = new SitesWork(this, workbench, canvas::showWell);
+    commands = new MainCommands(workbench, polygons, sites);
+    files = new FileWork(this, workbench, this::showOpened);
+    east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
+    MainMenu menu = new MainMenu(this, canvas, files, commands);
+    setJMenuBar(menu.bar());
+    layOut();
+    listen();
+    refresh();
+    Placement.centre(this);
+  }
+
+  private void layOut() {
+    JPanel centre = new JPanel(new BorderLayout());
+    centre.add(canvas, BorderLayout.CENTER);
+    centre.add(status, BorderLayout.SOUTH);
+    add(centre, BorderLayout.CENTER);
+    add(east, BorderLayout.EAST);
+  }
+
+  private void listen() {
+    setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+    addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowOpened(WindowEvent e) {
+            // Only now the widths of the frame's borders are known for sure.
+            Placement.centre(MainWindow.this);
+          }
+
+          @Override
+          public void windowClosing(WindowEvent e) {
+            exit();
+          }
+        });
+    new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
+    canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
+    workbench.addListener(this::refresh);
+    workbench.jobs().setListener(new JobListener());
+    onKey("ctrl Y", () -> workbench.active().ifPresent(Editor::redo));
+    onKey("ESCAPE", this::giveUp);
+  }
+
+  private void onKey(String key, Runnable action) {
+    getRootPane()
+        .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+        .put(KeyStroke.getKeyStroke(key), key);
+    getRootPane()
+        .getActionMap()
+        .put(
+            key,
+            new AbstractAction() {
+              private static final long serialVersionUID = 1L;
+
+              @Override
+              public void actionPerformed(ActionEvent e) {
+                action.run();
+              }
+            });
+  }
+
+  private void giveUp() {
+    boolean dragging = workbench.tool().map(tool -> tool.cancelled(workbench)).orElse(false);
+    if (!dragging) {
+      workbench.jobs().cancelCurrent();
+    }
+    canvas.repaint();
+  }
+
+  private void mouseAt(Spot spot) {
+    canvas.setCorner("x " + number(spot.x()) + "   y " + number(spot.y()));
+    status.setHint(workbench.hint());
+  }
+
+  private static String number(double value) {
+    return new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString();
+  }
+
+  private void say(String message) {
+    status.say(message);
+  }
+
+  /** Shows the state of the workbench. */
+  private void refresh() {
+    Editor editor = workbench.active().orElse(null);
+    if (editor != last) {
+      last = editor;
+      canvas.showActualSize();
+      showAll(editor);
+    } else if (editor != null) {
+      canvas.setScene(editor.shown().scene());
+    }
+    canvas.setWelcome(editor == null ? welcome() : List.of());
+    canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));
+    commands.refresh();
+    east.refresh();
+    status.setHint(workbench.hint());
+    setTitle(title());
+  }
+
+  private void showAll(Editor editor) {
+    canvas.setScene(editor.shown().scene());
+    if (editor.document().size() > 0) {
+      canvas.showWell();
+    }
+  }
+
+  private static List<String> welcome() {
+    return List.of(
+        "Degree Constrained Triangulation",
+        "Choose Polygon Based or Point Sites Based on the right,",
+        "or open a file or a sample from the File menu.");
+  }
+
+  private String title() {
+    return workbench
+        .active()
+        .map(e -> (e.history().isChanged() ? "*" : "") + e.name() + " – " + PROGRAM)
+        .orElse(PROGRAM);
+  }
+
+  /** What the document is called. */
+  String documentName() {
+    return workbench.active().map(Editor::name).orElse("canvas");
+  }
+
+  private void showOpened() {
+    workbench.active().ifPresent(editor -> canvas.setScene(editor.shown().scene()));
+    canvas.showWell();
+  }
+
+  private void goTo(Defect defect) {
+    workbench.choose(Domain.POLYGON);
+    workbench.chooseEdit();
+    canvas.setViewport(
+        canvas
+            .viewport()
+            .showing(defect.x(), defect.y(), canvas.getWidth() / 2.0, canvas.getHeight() / 2.0));
+  }
+
+  /** Opens a file, as File ▸ Open does. */
+  public void open(Path file) {
+    files.open(file);
+  }
+
+  /** Asks, and closes this window and its results. */
+  void exit() {
+    List<String> unsaved = files.unsaved();
+    String question =
+        unsaved.isEmpty()
+            ? "Close the application?"
+            : "Changes are not saved in: " + String.join(", ", unsaved) + ". Close all the same?";
+    if (Ask.confirm(this, "Exit", question, "Exit")) {
+      polygons.dispose();
+      workbench.jobs().shutDown();
+      dispose();
+    }
+  }
+
+  /** The canvas. */
+  public CanvasPanel canvas() {
+    return canvas;
+  }
+
+  /** The state of the window. */
+  public Workbench workbench() {
+    return workbench;
+  }
+
+  private final class JobListener implements Jobs.Listener {
+    @Override
+    public void running(String what, double fraction) {
+      status.running(what, fraction);
+    }
+
+    @Override
+    public void idle() {
+      status.idle();
+    }
+
+    @Override
+    public void failed(String what, Throwable cause) {
+      // A dialog waits for its answer; the queue must not wait with it.
+      SwingUtilities.invokeLater(
+          () -> new Failures(MainWindow.this, MainWindow.this::goTo).show(what, cause));
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package dct.ui;
+
+import dct.core.Progress;
+import dct.core.degree.FlipResult;
+import dct.core.degree.ScanFlip;
+import dct.core.geometry.SimplePolygon;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import dct.render.Scene;
+import dct.ui.document.Document;
+import dct.ui.document.Editor;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+
+/**
+ * Triangulates the polygon and shows each result in a frame of its own; remembers the most recent
+ * one, which Perform Flip goes on from.
+ */
+final class PolygonResults {
+  private final Workbench workbench;
+  private final JFrame owner;
+  private final List<JFrame> frames = new ArrayList<>();
+  private PolygonMethod method = PolygonMethod.MONOTONE;
+  private Latest latest; // null before the first
+
+  /** A triangulation, of which document, and where it is shown. */
+  private record Latest(Document document, Triangulation triangulation, JFrame frame) {}
+
+  PolygonResults(Workbench workbench, JFrame owner) {
+    this.workbench = workbench;
+    this.owner = owner;
+  }
+
+  /** Shows the polygon triangulated by this method. */
+  void triangulate(PolygonMethod chosen) {
+    method = chosen;
+    Document document = document();
+    submit(
+        chosen.title(),
+        progress -> triangulation(document, chosen, progress),
+        result -> show(document, result, Scene.of(result), chosen.title(), owner));
+  }
+
+  /**
+   * Shows the most recent triangulation after Scan-Flip, beside it. If the polygon has changed
+   * since, it is triangulated anew by the method used last, the monotone one at first.
+   */
+  void flip() {
+    Document document = document();
+    boolean current = latest != null && latest.document.equals(document);
+    Latest from = current ? latest : null;
+    PolygonMethod by = method;
+    submit(
+        "Perform Flip",
+        progress ->
+            ScanFlip.run(from == null ? triangulation(document, by, progress) : from.triangulation),
+        result -> showFlips(document, result, from == null ? owner : from.frame));
+  }
+
+  private Document document() {
+    return workbench.editor(Domain.POLYGON).document();
+  }
+
+  private static Triangulation triangulation(
+      Document document, PolygonMethod method, Progress progress) {
+    return method.triangulate(SimplePolygon.of(document.points()), progress);
+  }
+
+  private <T> void submit(
+      String what, java.util.function.Function<Progress, T> work, Consumer<T> done) {
+    workbench.jobs().submit(what, work, done);
+  }
+
+  private void showFlips(Document document, FlipResult result, JFrame beside) {
+    String title = "Perform Flip after " + method.title();
+    show(document, result.after(), Scene.of(result), title, beside);
+  }
+
+  private void show(
+      Document document, Triangulation result, Scene scene, String title, JFrame beside) {
+    Editor editor = workbench.editor(Domain.POLYGON);
+    ResultFrame frame = new ResultFrame(title, editor.name(), scene);
+    Placement.beside(frame, beside, owner, frames.size());
+    if (beside != owner) {
+      beside.toFront(); // so that old and new can be compared
+    }
+    frames.add(frame);
+    latest = new Latest(document, result, frame);
+    frame.setVisible(true);
+  }
+
+  /** Closes all frames of results. */
+  void dispose() {
+    frames.forEach(JFrame::dispose);
+  }
+}

@@ -1,0 +1,92 @@
+package dct.ui;
+
+import dct.core.degree.ScanFlip;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import dct.experiment.RandomSites;
+import dct.ui.document.Edit;
+import dct.ui.document.Editor;
+import java.awt.Component;
+import java.util.OptionalInt;
+import javax.swing.JOptionPane;
+
+/** What the buttons of Point Sites Based do. */
+final class SitesWork {
+  private static final int MOST = 1_000_000;
+  private static final String TITLE = "Random Sites";
+
+  private final Component parent;
+  private final Workbench workbench;
+  private final Runnable shown;
+  private int seed; // of the last random sites
+
+  /**
+   * Work for a window.
+   *
+   * @param shown is run when other sites were put on the canvas
+   */
+  SitesWork(Component parent, Workbench workbench, Runnable shown) {
+    this.parent = parent;
+    this.workbench = workbench;
+    this.shown = shown;
+  }
+
+  /** Runs Scan-Flip on the triangulation shown, in the canvas. */
+  void flip() {
+    Editor editor = workbench.editor(Domain.SITES);
+    Triangulation triangulation = editor.shown().triangulation().orElse(null);
+    if (triangulation == null) {
+      workbench.say("There is no triangulation to flip yet; draw three sites or more");
+    } else {
+      workbench
+          .jobs()
+          .submit("Perform Flip", progress -> ScanFlip.run(triangulation), editor::showFlips);
+    }
+  }
+
+  /** Asks for a number and puts so many random sites in place of those there are. */
+  void random() {
+    OptionalInt n = askNumber();
+    if (n.isPresent()) {
+      Editor editor = workbench.editor(Domain.SITES);
+      seed++;
+      editor.perform(
+          Edit.replace(TITLE, editor.document(), RandomSites.uniform(n.getAsInt(), seed)));
+      shown.run();
+      workbench.say(n.getAsInt() + " random sites, seed " + seed);
+    }
+  }
+
+  private OptionalInt askNumber() {
+    String typed = "100";
+    while (true) {
+      typed =
+          (String)
+              JOptionPane.showInputDialog(
+                  parent,
+                  "Number of sites:",
+                  TITLE,
+                  JOptionPane.QUESTION_MESSAGE,
+                  null,
+                  null,
+                  typed);
+      if (typed == null) {
+        return OptionalInt.empty();
+      }
+      OptionalInt n = parse(typed.strip());
+      if (n.isPresent()) {
+        return n;
+      }
+      Ask.sorry(parent, TITLE, "“" + typed + "” is not a whole number from 1 to " + MOST + ".");
+    }
+  }
+
+  private static OptionalInt parse(String typed) {
+    try {
+      int n = Integer.parseInt(typed);
+      return n >= 1 && n <= MOST ? OptionalInt.of(n) : OptionalInt.empty();
+    } catch (NumberFormatException e) {
+      return OptionalInt.empty();
+    }
+  }
+}

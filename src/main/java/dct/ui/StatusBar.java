@@ -1,0 +1,90 @@
+package dct.ui;
+
+import java.awt.BorderLayout;
+import java.awt.FlowLayout;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.Timer;
+
+/** The line under the canvas: what the next click does, and what is going on in the background. */
+final class StatusBar extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  /** Work that is done sooner is not worth a flicker. */
+  private static final int PATIENCE_MILLIS = 150;
+
+  private final JLabel message = new JLabel(" ");
+  private final JLabel zoom = new JLabel();
+  private final JLabel work = new JLabel();
+  private final JProgressBar bar = new JProgressBar(0, 1000);
+  private final JPanel running = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+  private final Timer patience;
+  private String hint = "";
+
+  StatusBar(Runnable cancel) {
+    super(new BorderLayout(12, 0));
+    setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    message.setName("status");
+    message.getAccessibleContext().setAccessibleName("Status");
+    JButton stop = new JButton("Cancel");
+    stop.setName("cancelJob");
+    stop.setToolTipText("Stops what is going on (Esc)");
+    stop.setMargin(new java.awt.Insets(1, 8, 1, 8));
+    stop.addActionListener(e -> cancel.run());
+    bar.getAccessibleContext().setAccessibleName("Progress");
+    running.add(work);
+    running.add(bar);
+    running.add(stop);
+    running.setVisible(false);
+    JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
+    right.add(running);
+    right.add(zoom);
+    add(message, BorderLayout.CENTER);
+    add(right, BorderLayout.EAST);
+    patience = new Timer(PATIENCE_MILLIS, e -> running.setVisible(true));
+    patience.setRepeats(false);
+  }
+
+  /** Shows what the next click does, unless it is what was shown before: then a message stays. */
+  void setHint(String text) {
+    if (!text.equals(hint)) {
+      hint = text;
+      message.setText(text);
+    }
+  }
+
+  /** Shows a message until the hint changes. */
+  void say(String text) {
+    message.setText(text);
+  }
+
+  /** Shows the scale of the canvas. */
+  void setZoom(double scale) {
+    double percent = scale * 100;
+    zoom.setText(
+        percent >= 1 && percent < 1e6
+            ? String.format(Locale.ROOT, "%.0f %%", percent)
+            : String.format(Locale.ROOT, "%.2g %%", percent));
+  }
+
+  /** Shows work in progress, once it has taken a while; the fraction is negative if unknown. */
+  void running(String what, double fraction) {
+    work.setText(what);
+    bar.setIndeterminate(fraction < 0);
+    bar.setValue((int) Math.round(1000 * fraction));
+    if (!running.isVisible() && !patience.isRunning()) {
+      patience.start();
+    }
+  }
+
+  /** Shows that nothing is going on. */
+  void idle() {
+    patience.stop();
+    running.setVisible(false);
+    bar.setIndeterminate(false);
+  }
+}

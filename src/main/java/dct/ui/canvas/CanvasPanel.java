@@ -1,0 +1,183 @@
+package dct.ui.canvas;
+
+import com.formdev.flatlaf.FlatLaf;
+import dct.core.geometry.Points;
+import dct.render.Box;
+import dct.render.GraphicsPen;
+import dct.render.Ink;
+import dct.render.Labels;
+import dct.render.Pen;
+import dct.render.Pen.Anchor;
+import dct.render.Scene;
+import dct.render.Stroke;
+import dct.render.Theme;
+import dct.render.Viewport;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+
+/**
+ * Shows a scene through a viewport, and over it what a tool draws and where the mouse is. It knows
+ * nothing of documents.
+ */
+public final class CanvasPanel extends JPanel {
+  /** The width at first: that of the thesis's canvas. */
+  public static final int WIDTH_AT_FIRST = 1000;
+
+  /** The height at first. */
+  public static final int HEIGHT_AT_FIRST = 700;
+
+  private static final int FIT_MARGIN = 40;
+
+  private final transient SceneImage image = new SceneImage();
+  private final transient List<Runnable> viewListeners = new ArrayList<>();
+  private transient Scene scene = Scene.sites(Points.ofPairs());
+  private transient Viewport viewport = Viewport.IDENTITY;
+  private transient Consumer<Pen> overlay = pen -> {};
+  private Labels labels = Labels.NONE;
+  private String corner = "";
+  private List<String> welcome = List.of();
+
+  /** An empty canvas in actual size. */
+  public CanvasPanel() {
+    setName("canvas");
+    setOpaque(true);
+    setFocusable(true);
+    setPreferredSize(new Dimension(WIDTH_AT_FIRST, HEIGHT_AT_FIRST));
+    getAccessibleContext().setAccessibleName("Canvas");
+    new Navigation(this);
+  }
+
+  /** Shows another scene, in the same viewport. */
+  public void setScene(Scene scene) {
+    this.scene = scene.withLabels(labels);
+    repaint();
+  }
+
+  /** What is shown. */
+  public Scene scene() {
+    return scene;
+  }
+
+  /** Chooses what is written beside the vertices. */
+  public void setLabels(Labels labels) {
+    this.labels = labels;
+    setScene(scene);
+  }
+
+  /** What is written beside the vertices. */
+  public Labels labels() {
+    return labels;
+  }
+
+  /** Where the model is on the screen. */
+  public Viewport viewport() {
+    return viewport;
+  }
+
+  /** Shows another part of the model. */
+  public void setViewport(Viewport viewport) {
+    this.viewport = viewport;
+    repaint();
+    viewListeners.forEach(Runnable::run);
+  }
+
+  /** Calls the listener after each change of the viewport. */
+  public void addViewListener(Runnable listener) {
+    viewListeners.add(listener);
+  }
+
+  /** Says what is drawn over the scene with each repaint. */
+  public void setOverlay(Consumer<Pen> overlay) {
+    this.overlay = overlay;
+  }
+
+  /** Writes the mouse's coordinates in the upper left corner. */
+  public void setCorner(String text) {
+    if (!text.equals(corner)) {
+      corner = text;
+      repaint();
+    }
+  }
+
+  /** What is written in the upper left corner. */
+  public String corner() {
+    return corner;
+  }
+
+  /** Writes lines in the middle: what to do with a canvas that shows nothing. */
+  public void setWelcome(List<String> lines) {
+    welcome = List.copyOf(lines);
+    repaint();
+  }
+
+  /** Shows the whole scene as large as it fits. */
+  public void fit() {
+    setViewport(
+        scene
+            .bounds()
+            .map(box -> Viewport.fit(box, getWidth(), getHeight(), FIT_MARGIN, viewport.yUp()))
+            .orElse(Viewport.IDENTITY));
+  }
+
+  /** One model unit a pixel, the origin in the corner: the thesis's canvas. */
+  public void showActualSize() {
+    setViewport(
+        viewport.yUp()
+            ? Viewport.IDENTITY.panned(0, getHeight() - 1.0).flipped(0, getHeight() - 1.0)
+            : Viewport.IDENTITY);
+  }
+
+  /**
+   * Shows the scene in actual size if all of it is in sight then and not too small to see, and
+   * fitted otherwise.
+   */
+  public void showWell() {
+    Box canvas = new Box(0, 0, getWidth() - 1.0, getHeight() - 1.0);
+    boolean suits = !viewport.yUp() && scene.bounds().map(canvas::suits).orElse(true);
+    if (suits) {
+      showActualSize();
+    } else {
+      fit();
+    }
+  }
+
+  /** Zooms with the place under (x, y) kept there. */
+  public void zoom(double factor, double x, double y) {
+    setViewport(viewport.zoomed(factor, x, y));
+  }
+
+  /** The look of the canvas: that of the window. */
+  public Theme theme() {
+    return FlatLaf.isLafDark() ? Theme.DARK : Theme.LIGHT;
+  }
+
+  @Override
+  protected void paintComponent(Graphics g) {
+    Graphics2D graphics = (Graphics2D) g.create();
+    image.paint(graphics, scene, viewport, theme(), getSize());
+    GraphicsPen pen = new GraphicsPen(graphics, theme(), true);
+    overlay.accept(pen);
+    paintWords(pen);
+    graphics.dispose();
+  }
+
+  private void paintWords(Pen pen) {
+    pen.style(Stroke.fill(Ink.LABEL));
+    if (!corner.isEmpty()) {
+      pen.text(12, 25, Anchor.START, 13, corner);
+    }
+    double y = getHeight() / 2.0 - 14 * (welcome.size() - 1);
+    double size = 22;
+    for (String line : welcome) {
+      pen.text(getWidth() / 2.0, y, Anchor.MIDDLE, size, line);
+      pen.style(Stroke.fill(Ink.PROPOSED));
+      y += 32;
+      size = 15;
+    }
+  }
+}

@@ -1,0 +1,85 @@
+package dct.ui.canvas;
+
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.swing.SwingUtilities;
+
+/**
+ * Zooms a canvas with the wheel and pans it with the middle button, or with the left one while the
+ * space bar is down. Events that it uses are consumed.
+ */
+final class Navigation extends MouseAdapter {
+  private static final double ZOOM_STEP = 1.2;
+
+  private final CanvasPanel canvas;
+  private boolean space;
+  private Point grabbed; // null while nothing is panned
+  private Cursor cursor;
+
+  Navigation(CanvasPanel canvas) {
+    this.canvas = canvas;
+    canvas.addMouseListener(this);
+    canvas.addMouseMotionListener(this);
+    canvas.addMouseWheelListener(this);
+    canvas.addKeyListener(new SpaceBar());
+  }
+
+  @Override
+  public void mouseEntered(MouseEvent e) {
+    // So that the space bar pans instead of pressing the button that was clicked last.
+    canvas.requestFocusInWindow();
+  }
+
+  @Override
+  public void mousePressed(MouseEvent e) {
+    canvas.requestFocusInWindow();
+    boolean pans =
+        SwingUtilities.isMiddleMouseButton(e) || (space && SwingUtilities.isLeftMouseButton(e));
+    if (pans && grabbed == null) {
+      grabbed = e.getPoint();
+      cursor = canvas.getCursor();
+      canvas.setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+      e.consume();
+    }
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent e) {
+    if (grabbed != null) {
+      canvas.setViewport(canvas.viewport().panned(e.getX() - grabbed.x, e.getY() - grabbed.y));
+      grabbed = e.getPoint();
+      e.consume();
+    }
+  }
+
+  @Override
+  public void mouseReleased(MouseEvent e) {
+    if (grabbed != null) {
+      grabbed = null;
+      canvas.setCursor(cursor);
+      e.consume();
+    }
+  }
+
+  @Override
+  public void mouseWheelMoved(MouseWheelEvent e) {
+    canvas.zoom(Math.pow(ZOOM_STEP, -e.getPreciseWheelRotation()), e.getX(), e.getY());
+  }
+
+  private final class SpaceBar extends KeyAdapter {
+    @Override
+    public void keyPressed(KeyEvent e) {
+      space |= e.getKeyCode() == KeyEvent.VK_SPACE;
+    }
+
+    @Override
+    public void keyReleased(KeyEvent e) {
+      space &= e.getKeyCode() != KeyEvent.VK_SPACE;
+    }
+  }
+}

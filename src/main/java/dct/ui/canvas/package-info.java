@@ -1,0 +1,2 @@
+/** The panel that shows a scene, and the mouse on it. */
+package dct.ui.canvas;

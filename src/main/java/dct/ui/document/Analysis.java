@@ -1,0 +1,109 @@
+package dct.ui.document;
+
+import dct.core.Progress;
+import dct.core.degree.FlipResult;
+import dct.core.geometry.Defect;
+import dct.core.geometry.Points;
+import dct.core.geometry.SimplicityCheck;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import dct.render.Scene;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What follows from the points of a document at once: for sites, from the third on, the Delaunay
+ * triangulation, with or without flips; for a polygon, what keeps it from being simple. Immutable.
+ */
+public final class Analysis {
+  private final Document document;
+  private final Optional<Triangulation> triangulation;
+  private final Optional<Defect> defect;
+  private final Scene scene;
+
+  private Analysis(
+      Document document,
+      Optional<Triangulation> triangulation,
+      Optional<Defect> defect,
+      Scene scene) {
+    this.document = document;
+    this.triangulation = triangulation;
+    this.defect = defect;
+    this.scene = scene;
+  }
+
+  /**
+   * Analyses a document, in O(n log n).
+   *
+   * @param growing whether vertices are being drawn: the last edge of a polygon is then provisional
+   * @throws java.util.concurrent.CancellationException if the progress says so
+   */
+  public static Analysis of(Document document, boolean growing, Progress progress) {
+    return document.domain() == Domain.POLYGON
+        ? polygon(document, growing)
+        : sites(document, progress);
+  }
+
+  /** The bare points of a document that is still to be analysed. */
+  static Analysis pending(Document document, boolean growing) {
+    Points points = document.points();
+    Scene scene =
+        document.domain() == Domain.POLYGON
+            ? Scene.polygon(points, growing, List.of())
+            : Scene.sites(points);
+    return new Analysis(document, Optional.empty(), Optional.empty(), scene);
+  }
+
+  private static Analysis polygon(Document document, boolean growing) {
+    Points points = document.points();
+    Optional<Defect> defect = SimplicityCheck.firstDefect(points);
+    Scene scene = Scene.polygon(points, growing, defect.stream().toList());
+    return new Analysis(document, Optional.empty(), defect, scene);
+  }
+
+  private static Analysis sites(Document document, Progress progress) {
+    if (document.size() < 3) {
+      Scene scene = Scene.sites(document.points());
+      return new Analysis(document, Optional.empty(), Optional.empty(), scene);
+    }
+    Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points()), progress);
+    return new Analysis(document, Optional.of(delaunay), Optional.empty(), Scene.of(delaunay));
+  }
+
+  /** This analysis with the triangulation of the sites after flips. */
+  public Analysis flipped(FlipResult result) {
+    return new Analysis(document, Optional.of(result.after()), Optional.empty(), Scene.of(result));
+  }
+
+  /** The same of a polygon that is, or is no longer, being drawn. */
+  public Analysis growing(boolean growing) {
+    if (document.domain() != Domain.POLYGON) {
+      return this;
+    }
+    List<Defect> defects = defect.stream().toList();
+    return new Analysis(
+        document, triangulation, defect, Scene.polygon(document.points(), growing, defects));
+  }
+
+  /** What was analysed. */
+  public Document document() {
+    return document;
+  }
+
+  /** The triangulation of the sites; nothing for a polygon, or for fewer than three sites. */
+  public Optional<Triangulation> triangulation() {
+    return triangulation;
+  }
+
+  /** What keeps the polygon from being simple. */
+  public Optional<Defect> defect() {
+    return defect;
+  }
+
+  /** The picture. */
+  public Scene scene() {
+    return scene;
+  }
+}

@@ -1,0 +1,182 @@
+package dct.ui.document;
+
+import dct.core.Progress;
+import dct.core.degree.FlipResult;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.ui.job.Jobs;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One application's document as it is edited: its history, its file, a provisional state while the
+ * mouse drags, and the analysis that follows each of them. Lives on the event thread.
+ */
+public final class Editor {
+  /**
+   * Up to here a document is analysed at once, within a frame of the screen; beyond, in the
+   * background, so that the window never waits.
+   */
+  static final int AT_ONCE = 5_000;
+
+  private final Jobs jobs;
+  private final Domain domain;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private History history;
+  private String name;
+  private Optional<Path> file = Optional.empty();
+  private Document provisional; // while a drag lasts, else null
+  private Analysis shown;
+  private boolean growing;
+  private Runnable cancelAnalysis = () -> {};
+
+  /** An editor of an empty document. */
+  public Editor(Domain domain, Jobs jobs) {
+    this.domain = domain;
+    this.jobs = jobs;
+    startAnew();
+  }
+
+  /** Calls the listener after each change of anything here. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Which of the two applications this is. */
+  public Domain domain() {
+    return domain;
+  }
+
+  /** The document, without what is only provisional. */
+  public Document document() {
+    return history.present();
+  }
+
+  /** The history of the document. */
+  public History history() {
+    return history;
+  }
+
+  /** The document as the screen should show it. */
+  public Document visible() {
+    return provisional == null ? document() : provisional;
+  }
+
+  /** The latest analysis; of an older state while a newer one is computed. */
+  public Analysis shown() {
+    return shown;
+  }
+
+  /** What the title calls the document. */
+  public String name() {
+    return name;
+  }
+
+  /** The file that the document was opened from or saved to. */
+  public Optional<Path> file() {
+    return file;
+  }
+
+  /** Begins an empty document without a file. */
+  public void startAnew() {
+    load(Document.empty(domain), domain == Domain.POLYGON ? "New polygon" : "New sites");
+  }
+
+  /** Begins with this document, its history empty. */
+  public void load(Document document, String newName) {
+    history = new History(document);
+    name = newName;
+    file = Optional.empty();
+    provisional = null;
+    analyse();
+  }
+
+  /** Says that a state of the document is what this file holds. */
+  public void saved(Document document, Path newFile) {
+    history.markSaved(document);
+    file = Optional.of(newFile);
+    name = newFile.getFileName().toString();
+    changed();
+  }
+
+  /** Applies an edit. */
+  public void perform(Edit edit) {
+    provisional = null;
+    history.perform(edit);
+    analyse();
+  }
+
+  /** Takes the last edit back. */
+  public void undo() {
+    provisional = null;
+    history.undo();
+    analyse();
+  }
+
+  /** Applies the edit again that was taken back last. */
+  public void redo() {
+    provisional = null;
+    history.redo();
+    analyse();
+  }
+
+  /** Shows these points in place of the document's. */
+  public void preview(Points points) {
+    provisional = document().with(points);
+    analyse();
+  }
+
+  /** Goes back to the document's points. */
+  public void endPreview() {
+    if (provisional != null) {
+      provisional = null;
+      analyse();
+    }
+  }
+
+  /** Whether vertices are being drawn. */
+  public void setGrowing(boolean growing) {
+    this.growing = growing;
+    shown = shown.growing(growing);
+    changed();
+  }
+
+  /** Shows the sites' triangulation after flips, unless the sites have changed since. */
+  public void showFlips(FlipResult result) {
+    if (shown.triangulation().filter(t -> t == result.before()).isPresent()) {
+      shown = shown.flipped(result);
+      changed();
+    }
+  }
+
+  private void analyse() {
+    cancelAnalysis.run();
+    Document document = visible();
+    if (document.size() <= AT_ONCE) {
+      show(Analysis.of(document, growing, Progress.NONE));
+    } else {
+      String what = domain == Domain.POLYGON ? "Checking the polygon" : "Triangulating the sites";
+      cancelAnalysis =
+          jobs.submit(what, progress -> Analysis.of(document, growing, progress), this::show);
+      // After a small change the picture of the old state is the better one to look at meanwhile.
+      if (Math.abs(shown.document().size() - document.size()) > 1) {
+        shown = Analysis.pending(document, growing);
+      }
+      changed();
+    }
+  }
+
+  private void show(Analysis analysis) {
+    cancelAnalysis = () -> {};
+    if (analysis.document().equals(visible())) {
+      shown = analysis.growing(growing);
+    }
+    changed();
+  }
+
+  private void changed() {
+    listeners.forEach(Runnable::run);
+  }
+}

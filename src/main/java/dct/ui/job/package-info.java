@@ -1,0 +1,2 @@
+/** Long work off the event thread. */
+package dct.ui.job;

@@ -1,0 +1,101 @@
+package dct.ui.tool;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.render.Ink;
+import dct.render.Pen;
+import dct.render.Stroke;
+import dct.render.Viewport;
+import dct.ui.document.Document;
+import dct.ui.document.Edit;
+import dct.ui.tool.Pick.EdgePoint;
+import java.awt.Cursor;
+import java.awt.event.KeyEvent;
+import java.util.Optional;
+
+/** Split Vertex: a click splits the closest edge by a new vertex on it. */
+public final class SplitTool implements Tool {
+  private Spot hover; // null while the mouse is elsewhere
+
+  @Override
+  public String name() {
+    return "Split Vertex";
+  }
+
+  @Override
+  public int key() {
+    return KeyEvent.VK_S;
+  }
+
+  @Override
+  public Cursor cursor() {
+    return Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR);
+  }
+
+  @Override
+  public String hint(ToolContext context) {
+    return target(context)
+        .map(edge -> "Click to split the edge v" + edge.from() + "–v" + edge.to())
+        .orElse("Click near an edge to split it");
+  }
+
+  @Override
+  public void moved(ToolContext context, Spot spot) {
+    hover = spot;
+  }
+
+  @Override
+  public void left(ToolContext context) {
+    hover = null;
+  }
+
+  @Override
+  public void pressed(ToolContext context, Spot spot) {
+    hover = spot;
+    Optional<EdgePoint> target = target(context);
+    if (target.isPresent()) {
+      split(context, target.get());
+    } else {
+      context.say("There is no edge to split yet");
+    }
+  }
+
+  private static void split(ToolContext context, EdgePoint edge) {
+    Document document = context.document();
+    int there = document.vertexAt(edge.x(), edge.y());
+    if (there >= 0) {
+      context.say("v" + there + " is already there; click farther from it, or zoom in");
+    } else {
+      context.perform(Edit.split(number(document, edge), edge.x(), edge.y()));
+    }
+  }
+
+  /** In a polygon the new vertex comes between the ends of the edge; a new site comes last. */
+  private static int number(Document document, EdgePoint edge) {
+    return document.domain() == Domain.POLYGON ? edge.from() + 1 : document.size();
+  }
+
+  private Optional<EdgePoint> target(ToolContext context) {
+    // While a large document is being analysed, the edges shown are those of an older one.
+    return hover == null || !context.shown().document().equals(context.document())
+        ? Optional.empty()
+        : Pick.edge(context.shown(), context.viewport(), hover);
+  }
+
+  @Override
+  public void paint(ToolContext context, Pen pen) {
+    target(context).ifPresent(edge -> paint(context, edge, pen));
+  }
+
+  private static void paint(ToolContext context, EdgePoint edge, Pen pen) {
+    Viewport view = context.viewport();
+    Points points = context.document().points();
+    pen.style(Stroke.solid(Ink.HIGHLIGHT, 2.5));
+    pen.line(
+        view.screenX(points.x(edge.from())),
+        view.screenY(points.y(edge.from())),
+        view.screenX(points.x(edge.to())),
+        view.screenY(points.y(edge.to())));
+    pen.disc(view.screenX(edge.x()), view.screenY(edge.y()), 4);
+  }
+}

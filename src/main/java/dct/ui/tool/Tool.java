@@ -1,0 +1,53 @@
+package dct.ui.tool;
+
+import dct.render.Pen;
+import java.awt.Cursor;
+import java.awt.event.KeyEvent;
+
+/**
+ * A mouse mode. Its methods are called with the left button's presses, drags and releases, and with
+ * moves without a button.
+ */
+public interface Tool {
+
+  /** What its checkbox is called. */
+  String name();
+
+  /** The key that chooses it, one of {@link KeyEvent}'s. */
+  int key();
+
+  /** What the mouse pointer looks like. */
+  default Cursor cursor() {
+    return Cursor.getDefaultCursor();
+  }
+
+  /** What the next click will do, for the status line. */
+  String hint(ToolContext context);
+
+  /** The mouse was moved without a button. */
+  default void moved(ToolContext context, Spot spot) {}
+
+  /** The mouse left the canvas, or another tool was chosen. */
+  default void left(ToolContext context) {}
+
+  /** The button was pressed. */
+  default void pressed(ToolContext context, Spot spot) {}
+
+  /** The mouse was moved with the button down. */
+  default void dragged(ToolContext context, Spot spot) {}
+
+  /** The button was released. */
+  default void released(ToolContext context, Spot spot) {}
+
+  /**
+   * Gives up what was begun with the button still down.
+   *
+   * @return whether anything was
+   */
+  default boolean cancelled(ToolContext context) {
+    return false;
+  }
+
+  /** Draws what the tool adds to the picture. */
+  default void paint(ToolContext context, Pen pen) {}
+}
