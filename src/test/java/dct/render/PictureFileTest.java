@@ -37,8 +37,8 @@ class PictureFileTest {
   }
 
   private static int at(BufferedImage image, Viewport view, double x, double y) {
-    int px = (int) view.screenX(x);
-    int py = (int) view.screenY(y);
+    int px = (int) Math.round(view.screenX(x));
+    int py = (int) Math.round(view.screenY(y));
     return image.getRGB(px, py) & 0xFFFFFF;
   }
 

@@ -1,0 +1,129 @@
+package dct;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+
+/** The house: a package uses only those under it, and AWT stays where there is something to see. */
+@AnalyzeClasses(packages = "dct", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+
+  @ArchTest
+  static final ArchRule ARROWS_POINT_DOWN =
+      layeredArchitecture()
+          .consideringOnlyDependenciesInLayers()
+          .withOptionalLayers(true)
+          .layer("main")
+          .definedBy("dct")
+          .layer("ui")
+          .definedBy("dct.ui..")
+          .layer("cli")
+          .definedBy("dct.cli..")
+          .layer("experiment")
+          .definedBy("dct.experiment..")
+          .layer("render")
+          .definedBy("dct.render..")
+          .layer("io")
+          .definedBy("dct.io..")
+          .layer("core")
+          .definedBy("dct.core..")
+          .whereLayer("main")
+          .mayOnlyAccessLayers("ui", "cli")
+          .whereLayer("ui")
+          .mayOnlyAccessLayers("experiment", "render", "io", "core")
+          .whereLayer("cli")
+          .mayOnlyAccessLayers("experiment", "render", "io", "core")
+          .whereLayer("experiment")
+          .mayOnlyAccessLayers("render", "io", "core")
+          .whereLayer("render")
+          .mayOnlyAccessLayers("io", "core")
+          .whereLayer("io")
+          .mayOnlyAccessLayers("core")
+          .whereLayer("core")
+          .mayNotAccessAnyLayer();
+
+  @ArchTest
+  static final ArchRule CORE_POINTS_DOWN =
+      layeredArchitecture()
+          .consideringOnlyDependenciesInLayers()
+          .layer("degree")
+          .definedBy("dct.core.degree..")
+          .layer("triangulate")
+          .definedBy("dct.core.triangulate..")
+          .layer("dcel")
+          .definedBy("dct.core.dcel..")
+          .layer("geometry")
+          .definedBy("dct.core.geometry..")
+          .whereLayer("triangulate")
+          .mayOnlyAccessLayers("dcel", "geometry")
+          .whereLayer("dcel")
+          .mayOnlyAccessLayers("geometry")
+          .whereLayer("geometry")
+          .mayNotAccessAnyLayer();
+
+  @ArchTest
+  static final ArchRule THE_WINDOWS_ROOMS_KNOW_NO_WINDOW =
+      noClasses()
+          .that()
+          .resideInAPackage("dct.ui.*..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("dct.ui");
+
+  @ArchTest
+  static final ArchRule THE_WINDOWS_ROOMS_FORM_NO_CIRCLE =
+      slices().matching("dct.ui.(*)..").should().beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule NO_SCREEN_BELOW_THE_PICTURES =
+      noClasses()
+          .that()
+          .resideInAnyPackage("dct.core..", "dct.io..", "dct.experiment..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("java.awt..", "javax.swing..", "com.formdev..");
+
+  @ArchTest
+  static final ArchRule PICTURES_NEED_NO_WINDOW =
+      noClasses()
+          .that()
+          .resideInAPackage("dct.render..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("javax.swing..", "com.formdev..");
+
+  @ArchTest
+  static final ArchRule THE_CORE_READS_AND_PRINTS_NOTHING =
+      noClasses()
+          .that()
+          .resideInAPackage("dct.core..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("java.io..", "java.nio..", "java.net..");
+
+  @ArchTest
+  static final ArchRule TOOLS_KNOW_NO_COMPONENT =
+      noClasses()
+          .that()
+          .resideInAnyPackage("dct.ui.tool..", "dct.ui.document..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("javax.swing..", "dct.ui", "dct.ui.canvas..", "dct.ui.command..");
+
+  @ArchTest
+  static final ArchRule ONLY_THE_COMMAND_LINE_PRINTS =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("dct.cli..")
+          .and()
+          .doNotHaveFullyQualifiedName("dct.Main")
+          .should()
+          .accessField(System.class, "out")
+          .orShould()
+          .accessField(System.class, "err");
+}

@@ -1,0 +1,260 @@
+package dct.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.io.PointFile;
+import java.awt.event.KeyEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.assertj.swing.finder.JFileChooserFinder;
+import org.assertj.swing.fixture.JFileChooserFixture;
+import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The File menu, by mouse and keyboard. */
+class FilesWindowTest extends WindowTest {
+  private static final Points TRIANGLE = Points.ofPairs(100, 100, 500, 100, 300, 400);
+
+  @TempDir Path folder;
+
+  @Test
+  void theStartLetsTheUserChooseTheApplication() {
+    frame.radioButton("Polygon Based").requireNotSelected();
+    frame.radioButton("Point Sites Based").requireNotSelected();
+    assertThat(frame.label("status").text()).contains("Choose Polygon Based or Point Sites Based");
+    choose("Polygon Based");
+    frame.button("Convex Polygon Odd Triangulation").requireVisible();
+    choose("Point Sites Based");
+    frame.button("Random Sites").requireVisible();
+    assertThat(frame.checkBox("Draw Vertex").target().isShowing()).isTrue();
+  }
+
+  @Test
+  void aSampleIsOpenedSavedUnderANewNameAndOpenedAgain() throws Exception {
+    String name = Samples.names().get(0);
+    frame.menuItem("File").click();
+    frame.menuItem("Open Sample").click();
+    frame.menuItem(name).click();
+    settle();
+    Points sample = points();
+    assertThat(sample).isEqualTo(Samples.read(name).points());
+    assertThat(window.getTitle()).startsWith(name);
+
+    menu("Save");
+    typeName(folder.resolve("mine").toString());
+    Domain domain = window.workbench().domain().orElseThrow();
+    String saved = domain == Domain.POLYGON ? "mine_polygonbased.txt" : "mine_pointbased.txt";
+    await("the file is saved", () -> Files.exists(folder.resolve(saved)));
+    settle();
+    assertThat(window.getTitle()).startsWith(saved);
+
+    push("Clear Canvas");
+    type(KeyEvent.VK_O, KeyEvent.VK_CONTROL);
+    typeName(folder.resolve("mine").toString());
+    answer(dialog(), "Discard");
+    assertThat(points()).isEqualTo(sample);
+    assertThat(window.getTitle()).startsWith(saved);
+  }
+
+  @Test
+  void openSwitchesToTheApplicationOfTheFile() throws Exception {
+    Path sites = folder.resolve("a_pointbased.txt");
+    PointFile.write(sites, Domain.SITES, TRIANGLE);
+    choose("Polygon Based");
+    open(sites);
+    frame.radioButton("Point Sites Based").requireSelected();
+    assertThat(points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void savingAsksBeforeReplacing() throws Exception {
+    Path file = folder.resolve("old_polygonbased.txt");
+    Files.writeString(file, "0 0\n9 0\n0 9\n");
+    drawTriangle();
+    menu("Save");
+    typeName(folder.resolve("old").toString());
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).contains("old_polygonbased.txt is there already");
+    answer(question, "Cancel");
+    assertThat(Files.readString(file)).isEqualTo("0 0\n9 0\n0 9\n");
+    type(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+    typeName(folder.resolve("old").toString());
+    answer(dialog(), "Replace");
+    assertThat(Files.readString(file)).isEqualTo("100 100\n500 100\n300 400\n");
+  }
+
+  @Test
+  void savingInAPlaceThatIsNotThereLosesNothing() {
+    drawTriangle();
+    menu("Save");
+    typeName(folder.resolve("nowhere").resolve("mine").toString());
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).contains("cannot be written").contains("nothing was changed");
+    answer(dialog, "OK");
+    assertThat(points()).isEqualTo(TRIANGLE);
+    assertThat(window.getTitle()).startsWith("*");
+  }
+
+  @Test
+  void savingAPolygonThatIsNotSimpleWarns() {
+    choose("Polygon Based");
+    clickAt(100, 100, 500, 400, 500, 100, 100, 400);
+    menu("Save");
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).contains("cannot be opened again").contains("cross");
+    answer(dialog, "Cancel");
+    requireNoDialog();
+  }
+
+  @Test
+  void openAsksBeforeChangesAreLost() throws Exception {
+    Path other = folder.resolve("other_polygonbased.txt");
+    PointFile.write(other, Domain.POLYGON, Points.ofPairs(10, 10, 90, 10, 50, 80));
+    drawTriangle();
+    open(other);
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).contains("changes that are not saved");
+    answer(dialog, "Cancel");
+    assertThat(points()).isEqualTo(TRIANGLE);
+  }
+
+  static Stream<Arguments> badFiles() {
+    return Stream.of(
+        Arguments.of("empty", "", ""),
+        Arguments.of("binary", "\u0000\u0001\u0002\u007f\n\u0000\u0000", "line 1"),
+        Arguments.of("one-vertex", "1 2\n", "1 vertex"),
+        Arguments.of("two-vertices", "1 2\n3 4\n", "2 vertices"),
+        Arguments.of("word", "0 0\n9 0\nseven 9\n", "line 3"),
+        Arguments.of("one-number", "0 0\n9\n0 9\n", "line 2"),
+        Arguments.of("nan", "0 0\n9 NaN\n0 9\n", "line 2"),
+        Arguments.of("infinity", "0 0\n9 0\n0 Infinity\n", "line 3"),
+        Arguments.of("huge", "0 0\n1e400 0\n0 9\n", "line 2"),
+        Arguments.of("hexadecimal", "0x10 0\n9 0\n0 9\n", "line 1"),
+        Arguments.of("duplicate", "0 0\n9 0\n9 0\n0 9\n", "line 3"),
+        Arguments.of("on-one-line", "0 0\n5 5\n9 9\n", "one line"),
+        Arguments.of("bow-tie", "0 0\n9 9\n9 0\n0 9\n", "cross"),
+        Arguments.of("touching", "0 0\n9 0\n9 9\n5 0\n0 9\n", "touches"),
+        Arguments.of("spike", "0 0\n9 0\n5 0\n5 9\n", ""),
+        Arguments.of("latin-1", "0 0\n9 \u00e9\n0 9\n", "line 2"),
+        Arguments.of("decimal-comma", "0,5 0,5\n9,5 0\n0 9\n", "line 1"),
+        Arguments.of("garbage", "#!x\n".repeat(3) + "garbage\n".repeat(1_000_000), "line 4"));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("badFiles")
+  void aBadFileGivesOneSentenceAndChangesNothing(String name, String content, String says)
+      throws Exception {
+    Path file = folder.resolve(name + "_polygonbased.txt");
+    Files.write(file, content.getBytes(StandardCharsets.ISO_8859_1));
+    drawTriangle();
+    open(file);
+    requireRefusal(file.getFileName().toString(), says);
+  }
+
+  @Test
+  void aMissingFileGivesOneSentenceAndChangesNothing() {
+    drawTriangle();
+    open(folder.resolve("missing.txt"));
+    requireRefusal("missing.txt", "no such file");
+  }
+
+  @Test
+  void aFolderGivesOneSentenceAndChangesNothing() {
+    drawTriangle();
+    // The file panel enters folders; one can be named only when the program is started.
+    onEventThread(
+        () -> {
+          window.open(folder);
+          return null;
+        });
+    requireRefusal(folder.getFileName().toString(), "folder");
+  }
+
+  private void requireRefusal(String file, String says) {
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).startsWith(file).contains(says).doesNotContain("\n");
+    answer(dialog, "OK");
+    requireNoDialog();
+    assertThat(points()).isEqualTo(TRIANGLE);
+    frame.radioButton("Polygon Based").requireSelected();
+    assertThat(window.getTitle()).startsWith("*New polygon");
+  }
+
+  @Test
+  void exitAsksAndThenCloses() {
+    drawTriangle();
+    ResultFrame result = pushForResult("Monotone Polygon Triangulation");
+    toFront();
+    menu("Exit");
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).contains("not saved").contains("New polygon");
+    answer(question, "Cancel");
+    assertThat(window.isShowing()).isTrue();
+    toFront();
+    menu("Exit");
+    robot.click(dialog().buttonWithText("Exit").target());
+    await("the window is closed", () -> !window.isShowing() && !result.isShowing());
+  }
+
+  private void toFront() {
+    onEventThread(
+        () -> {
+          window.toFront();
+          return null;
+        });
+    robot.waitForIdle();
+  }
+
+  @Test
+  void aPictureIsExported() throws Exception {
+    drawTriangle();
+    menu("Export Picture");
+    typeName(folder.resolve("picture").toString());
+    Path file = folder.resolve("picture.png");
+    await("the picture is written", () -> Files.exists(file));
+    assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(canvas().getWidth());
+  }
+
+  @Test
+  void f1ListsTheCommands() {
+    type(KeyEvent.VK_F1);
+    robot.waitForIdle();
+    assertThat(robot.finder().findByName("commands", javax.swing.JTable.class, true).getRowCount())
+        .isGreaterThan(20);
+  }
+
+  private void drawTriangle() {
+    choose("Polygon Based");
+    clickAt(100, 100, 500, 100, 300, 400);
+  }
+
+  private void menu(String item) {
+    frame.menuItem("File").click();
+    frame.menuItem(item).click();
+    robot.waitForIdle();
+  }
+
+  private void open(Path file) {
+    menu("Open");
+    typeName(file.toString());
+    robot.waitForIdle();
+  }
+
+  private void typeName(String name) {
+    JFileChooserFixture chooser =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    chooser.fileNameTextBox().deleteText().enterText(name);
+    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
+    await("the file panel is closed", () -> !chooser.target().isShowing());
+    robot.waitForIdle();
+  }
+}

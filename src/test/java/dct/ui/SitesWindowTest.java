@@ -1,0 +1,159 @@
+package dct.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.FlipResult;
+import dct.core.degree.ScanFlip;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
+import dct.render.Ink;
+import java.awt.event.KeyEvent;
+import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.junit.jupiter.api.Test;
+
+/** Point Sites Based, by mouse and keyboard. */
+class SitesWindowTest extends WindowTest {
+  private static final double[] SITES = {
+    150, 150, 800, 180, 500, 400, 300, 550, 700, 600, 430, 120, 620, 300, 250, 330, 880, 420, 90,
+    620, 520, 620
+  };
+
+  @Test
+  void theTriangulationFollowsEachClick() {
+    choose("Point Sites Based");
+    for (int n = 1; n <= SITES.length / 2; n++) {
+      clickAt(SITES[2 * n - 2], SITES[2 * n - 1]);
+      Points sites = Points.ofPairs(java.util.Arrays.copyOf(SITES, 2 * n));
+      assertThat(points()).isEqualTo(sites);
+      if (n == 2) {
+        requireInk(canvas(), Ink.VERTEX, 150, 150);
+      }
+      if (n >= 3) {
+        requireShown(canvas(), delaunay(sites));
+      }
+    }
+  }
+
+  @Test
+  void theTriangulationFollowsEachDrag() {
+    draw();
+    check("Edit Vertex");
+    press(500, 400);
+    for (double[] to : new double[][] {{400, 300}, {480, 220}, {700, 450}}) {
+      moveTo(to[0], to[1]);
+      requireShown(canvas(), delaunay(Points.ofPairs(SITES).moved(2, to[0], to[1])));
+    }
+    release();
+    assertThat(points()).isEqualTo(Points.ofPairs(SITES).moved(2, 700, 450));
+    type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    assertThat(points()).isEqualTo(Points.ofPairs(SITES));
+    requireShown(canvas(), delaunay(Points.ofPairs(SITES)));
+  }
+
+  @Test
+  void aSiteDroppedOnAnotherGoesBack() {
+    draw();
+    check("Edit Vertex");
+    press(500, 400);
+    moveTo(300, 550);
+    release();
+    assertThat(points()).isEqualTo(Points.ofPairs(SITES));
+    assertThat(frame.label("status").text()).contains("v3 is already there");
+  }
+
+  @Test
+  void performFlipShowsInTheCanvasAndAnyEditGoesBack() {
+    draw();
+    FlipResult flips = ScanFlip.run(delaunay(Points.ofPairs(SITES)));
+    assertThat(flips.after().count(EdgeKind.FLIPPED)).as("magenta edges").isPositive();
+    push("Perform Flip");
+    requireShown(canvas(), flips.after());
+    assertThat(canvas().scene().counts()).hasSize(2);
+    assertThat(results()).isEmpty();
+    check("Delete Vertex");
+    clickAt(500, 400);
+    requireShown(canvas(), delaunay(Points.ofPairs(SITES).removed(2)));
+    assertThat(canvas().scene().counts()).hasSize(1);
+  }
+
+  @Test
+  void splitPutsASiteOnTheClosestEdge() {
+    choose("Point Sites Based");
+    clickAt(100, 100, 500, 100, 300, 400);
+    check("Split Vertex");
+    clickAt(250, 108);
+    assertThat(points()).isEqualTo(Points.ofPairs(100, 100, 500, 100, 300, 400, 250, 100));
+  }
+
+  @Test
+  void randomSitesAsksForTheirNumber() {
+    choose("Point Sites Based");
+    frame.button("Random Sites").click();
+    dialog().textBox().deleteText().enterText("ten");
+    answer(dialog(), "OK");
+    assertThat(message(dialog())).contains("“ten” is not a whole number from 1");
+    answer(dialog(), "OK");
+    dialog().textBox().deleteText().enterText("1000");
+    answer(dialog(), "OK");
+    assertThat(points().size()).isEqualTo(1000);
+    Triangulation delaunay = delaunay(points());
+    assertThat(canvas().scene().edgeCount()).isEqualTo(delaunay.edgeCount());
+    for (int v = 0; v < 1000; v += 97) {
+      requireInk(canvas(), delaunay.isEven(v) ? Ink.EVEN : Ink.ODD, points().x(v), points().y(v));
+    }
+    type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    assertThat(points().size()).isZero();
+  }
+
+  @Test
+  void randomSitesCanBeCancelled() {
+    draw();
+    frame.button("Random Sites").click();
+    JOptionPaneFixture dialog = dialog();
+    answer(dialog, "Cancel");
+    assertThat(points()).isEqualTo(Points.ofPairs(SITES));
+  }
+
+  @Test
+  void sitesOnOneLineShowTheirPath() {
+    choose("Point Sites Based");
+    clickAt(100, 100, 500, 100, 300, 100);
+    requireInk(canvas(), Ink.BOUNDARY, 200, 100);
+    requireInk(canvas(), Ink.BOUNDARY, 400, 100);
+    requireInk(canvas(), Ink.EVEN, 300, 100);
+    requireInk(canvas(), Ink.ODD, 100, 100);
+    push("Perform Flip");
+    requireNoDialog();
+  }
+
+  @Test
+  void clearCanvasRemovesTheSites() {
+    draw();
+    push("Clear Canvas");
+    assertThat(points().size()).isZero();
+    requireInk(canvas(), Ink.BACKGROUND, 500, 400);
+  }
+
+  @Test
+  void eachApplicationKeepsItsDocument() {
+    draw();
+    choose("Polygon Based");
+    assertThat(points().size()).isZero();
+    clickAt(100, 100);
+    choose("Point Sites Based");
+    assertThat(points()).isEqualTo(Points.ofPairs(SITES));
+  }
+
+  private void draw() {
+    choose("Point Sites Based");
+    clickAt(SITES);
+  }
+
+  private static Triangulation delaunay(Points sites) {
+    return Delaunay.triangulate(Sites.of(sites), Progress.NONE);
+  }
+}
