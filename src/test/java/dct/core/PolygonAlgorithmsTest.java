@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Every algorithm for polygons on polygons of many kinds. */
 class PolygonAlgorithmsTest {
@@ -54,6 +55,16 @@ class PolygonAlgorithmsTest {
         for (Transforms.Named image : Transforms.scales(p)) {
           PolygonChecks.checkAll(image.points(), what + image);
         }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"x-monotone", "y-monotone", "cells", "maze", "comb", "spiral"})
+  void thousandsOfVertices(String name) {
+    for (Family family : families()) {
+      if (family.name().equals(name)) {
+        check(family, 20_000, 1);
       }
     }
   }

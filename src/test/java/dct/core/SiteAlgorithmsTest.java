@@ -18,6 +18,8 @@ import dct.testing.TriangulationAssert;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -34,7 +36,7 @@ class SiteAlgorithmsTest {
   @ParameterizedTest
   @MethodSource("families")
   void manySmallSets(Family family) {
-    for (int seed = 0; seed < 300; seed++) {
+    for (int seed = 0; seed < (isSlow(family) ? 80 : 300); seed++) {
       check(family, 1 + seed % 40, seed);
     }
   }
@@ -42,7 +44,7 @@ class SiteAlgorithmsTest {
   @ParameterizedTest
   @MethodSource("families")
   void someLargerSets(Family family) {
-    int most = isSlow(family) ? 2 : 4;
+    int most = isSlow(family) ? 1 : 4;
     for (int seed = 0; seed < most; seed++) {
       check(family, 150 << seed, seed);
     }
@@ -51,7 +53,7 @@ class SiteAlgorithmsTest {
   @ParameterizedTest
   @MethodSource("families")
   void allImagesAndScales(Family family) {
-    for (int seed = 1000; seed < 1006; seed++) {
+    for (int seed = 1000; seed < (isSlow(family) ? 1001 : 1006); seed++) {
       Points p = family.make(15 + seed % 9, seed).points();
       String what = family + ", seed " + seed + ", ";
       for (Transforms.Named image : Transforms.all(p)) {
@@ -67,7 +69,7 @@ class SiteAlgorithmsTest {
 
   /** Whether every decision takes decimals of a thousand digits; nothing fits another scale. */
   private static boolean isSlow(Family family) {
-    return family.name().startsWith("wide range");
+    return family.name().startsWith("wide range") || family.name().startsWith("least");
   }
 
   private static void check(Family family, int n, int seed) {
@@ -131,6 +133,25 @@ class SiteAlgorithmsTest {
     assertThat(sites.merged()).isEqualTo(3);
     assertThat(sites.points()).isEqualTo(Points.ofPairs(4, 0, 0, 0, 0, 4));
     checkAll(sites.points(), "with duplicates");
+  }
+
+  /** The parts are triangulated in parallel; the result is the same with one thread. */
+  @Test
+  void theNumberOfThreadsMakesNoDifference() throws Exception {
+    for (Family family : families().subList(0, 6)) {
+      Sites sites = family.make(30_000, 1);
+      List<String> many = edges(Delaunay.triangulate(sites, Progress.NONE));
+      ForkJoinPool one = new ForkJoinPool(1);
+      List<String> single =
+          one.submit(() -> edges(Delaunay.triangulate(sites, Progress.NONE))).get();
+      one.shutdown();
+      assertThat(single).as("%s", family).isEqualTo(many);
+    }
+  }
+
+  /** In the order of their numbers. */
+  private static List<String> edges(Triangulation t) {
+    return IntStream.range(0, t.edgeCount()).mapToObj(e -> t.from(e) + "–" + t.to(e)).toList();
   }
 
   @Test

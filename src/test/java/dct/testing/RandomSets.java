@@ -59,6 +59,7 @@ public final class RandomSets {
         new Family("all but one on a line", RandomSets::collinearButOne),
         new Family("two lines", RandomSets::twoLines),
         new Family("clusters", RandomSets::clusters),
+        new Family("least and largest numbers", RandomSets::leastAndLargest),
         new Family("wide range of exponents", RandomSets::wideRange));
   }
 
@@ -195,6 +196,27 @@ public final class RandomSets {
   private static Points clusters(int n, Random random) {
     return of(
         n, i -> xy(i % 5 + 1e-3 * random.nextGaussian(), i % 3 + 1e-6 * random.nextGaussian()));
+  }
+
+  private static Points leastAndLargest(int n, Random random) {
+    double[] values = {
+      0,
+      1,
+      -1,
+      Double.MIN_VALUE,
+      -Double.MIN_VALUE,
+      Double.MIN_NORMAL,
+      1 + ULP,
+      -2,
+      0x1p-538,
+      0x1p511,
+      0x1p1023,
+      Double.MAX_VALUE,
+      -Double.MAX_VALUE,
+      Math.nextDown(Double.MAX_VALUE)
+    };
+    return of(
+        n, i -> xy(values[random.nextInt(values.length)], values[random.nextInt(values.length)]));
   }
 
   /** Coordinates from 10⁻³⁰⁰ to 10³⁰⁰: nothing but the slowest exact stage can decide these. */
