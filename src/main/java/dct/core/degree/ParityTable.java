@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  *
  * <pre>f(i, j)[1−p][1−q] = min over k, r, s of f(i, k)[p][r] + w(k, r+s) + f(k, j)[s][q]</pre>
  *
- * where w(k, r+s) is 1 if that parity leaves k unsatisfied: k has besides the chords ik and kj only
+ * where w(k, r+s) is what that parity costs at k, 1 if it leaves k unsatisfied: k has besides the chords ik and kj only
  * the edges counted by r and s. An edge of the polygon has f[0][0] = 0 and no other entry.
  *
  * <p>Time is the number of triangles that see through, at most n³/6, found by merging sorted lists;
@@ -32,34 +32,43 @@ final class ParityTable {
   private static final int BLOCKS = 24;
 
   private final VisibilityGraph graph;
-  private final int[] wrong; // by position and parity of its degree: 1 if it leaves it unsatisfied
+  private final int[] wrong; // by position and parity of its degree: what that costs
+  private final int[] noise; // by pair: what its chord costs; empty if nothing
   // Both hold four entries a pair; a loop over the apex runs through either in order.
   private final int[] best; // by slot: f(k, j)[s][q] at 2s + q
   private final int[] onward; // by pair: min over r of f(i, k)[p][r] + w(k, r + s) at 2p + s
   private final int n;
 
-  private ParityTable(VisibilityGraph graph, ParityGoal.Wish[] wishes) {
+  private ParityTable(VisibilityGraph graph, int[] wrong, int[] noise) {
     this.graph = graph;
+    this.wrong = wrong;
+    this.noise = noise;
     n = graph.vertices();
     best = new int[4 * graph.pairs()];
     onward = new int[4 * graph.pairs()];
-    wrong = new int[2 * n];
-    for (int k = 0; k < n; k++) {
-      wrong[2 * k] = wishes[k].isSatisfiedBy(0) ? 0 : 1;
-      wrong[2 * k + 1] = wishes[k].isSatisfiedBy(1) ? 0 : 1;
-    }
   }
 
   /**
    * Fills the table.
    *
-   * @param wishes what is wished of the vertex at each position
+   * @param wrong by position k, what it costs that the degree there is even, at 2k, or odd, at 2k + 1
+   * @param noise by pair, what its chord costs; or empty. All costs together stay below 2²⁸.
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  static ParityTable fill(VisibilityGraph graph, ParityGoal.Wish[] wishes, Progress progress) {
-    ParityTable table = new ParityTable(graph, wishes);
+  static ParityTable fill(VisibilityGraph graph, int[] wrong, int[] noise, Progress progress) {
+    ParityTable table = new ParityTable(graph, wrong, noise);
     table.fillBlocks(progress);
     return table;
+  }
+
+  /** The costs by which a table counts unsatisfied vertices, from the wish at each position. */
+  static int[] costs(ParityGoal.Wish[] wishes) {
+    int[] wrong = new int[2 * wishes.length];
+    for (int k = 0; k < wishes.length; k++) {
+      wrong[2 * k] = wishes[k].isSatisfiedBy(0) ? 0 : 1;
+      wrong[2 * k + 1] = wishes[k].isSatisfiedBy(1) ? 0 : 1;
+    }
+    return wrong;
   }
 
   /** How many steps {@link #fill} will take: an upper bound on the triangles that see through. */
@@ -152,6 +161,7 @@ final class ParityTable {
     if (j == i + 1) {
       m11 = 0; // stored as f[0][0] below
     }
+    int chord = noise.length == 0 || j == i + 1 ? 0 : noise[pair];
     int up = graph.firstUp(i);
     int slot = firstSlotAfter(j, i);
     int mine = slot - 1;
@@ -180,14 +190,14 @@ final class ParityTable {
         m11 = Math.min(m11, Math.min(g10 + f01, g11 + f11));
       }
     }
-    store(mine, pair, j, m11, m10, m01, m00);
+    store(mine, pair, j, m11 + chord, m10 + chord, m01 + chord, m00 + chord);
   }
 
   private void store(int slot, int pair, int j, int f00, int f01, int f10, int f11) {
-    best[4 * slot] = f00;
-    best[4 * slot + 1] = f01;
-    best[4 * slot + 2] = f10;
-    best[4 * slot + 3] = f11;
+    best[4 * slot] = Math.min(INFINITE, f00);
+    best[4 * slot + 1] = Math.min(INFINITE, f01);
+    best[4 * slot + 2] = Math.min(INFINITE, f10);
+    best[4 * slot + 3] = Math.min(INFINITE, f11);
     int at = 4 * pair;
     int even = wrong[2 * j];
     int odd = wrong[2 * j + 1];
@@ -214,7 +224,7 @@ final class ParityTable {
 
   // ---- reading
 
-  /** The fewest unsatisfied vertices. */
+  /** The least cost: the fewest unsatisfied vertices. */
   int fewest() {
     int fewest = INFINITE;
     for (int parities = 0; parities < 4; parities++) {
@@ -223,11 +233,15 @@ final class ParityTable {
     return fewest;
   }
 
-  /** The fewest unsatisfied vertices with these parities at the ends of the last edge. */
+  /** The least cost with these parities at the ends of the last edge. */
   private int total(int parities) {
     return best(0, n - 1, parities)
         + wrong[1 - (parities >> 1)]
         + wrong[2 * n - 1 - (parities & 1)];
+  }
+
+  private int noiseOf(int i, int j) {
+    return noise.length == 0 ? 0 : noise[firstPairFrom(i, j)];
   }
 
   private int best(int i, int j, int parities) {
@@ -269,7 +283,7 @@ final class ParityTable {
     int j = chord.j;
     int p = 1 - (chord.parities >> 1);
     int q = 1 - (chord.parities & 1);
-    int target = best(i, j, chord.parities);
+    int target = best(i, j, chord.parities) - noiseOf(i, j);
     for (int slot = firstSlotAfter(j, i); slot < graph.firstDown(j + 1); slot++) {
       int k = graph.low(slot);
       int left = firstSlotAfter(k, i) - 1;

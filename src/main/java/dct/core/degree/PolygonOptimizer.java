@@ -75,7 +75,7 @@ public final class PolygonOptimizer {
       wishes[k] = goal.wish(polygon.vertex(k));
       corner[k] = 2 * k; // of the cycle made below
     }
-    ParityTable table = ParityTable.fill(graph, wishes, progress);
+    ParityTable table = ParityTable.fill(graph, ParityTable.costs(wishes), new int[0], progress);
     Dcel dcel = Dcel.cycle(polygon.walk());
     table.cut(dcel, corner);
     return new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL);

@@ -5,26 +5,29 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /**
- * Triangles of a triangulated polygon that hang together by diagonals, and the simple polygon that
- * they cover. Used again for one region after the other.
+ * Triangles of a triangulation that hang together by inner edges so that they cover a simple polygon
+ * with no vertex inside. Used again for one region after the other.
  */
 final class Region {
   private final int[] stamp; // by face: the number of the region that took it last
+  private final int[] vertexStamp; // by vertex: the same
   private int current; // the number of this region
   private int[] inner = new int[64]; // half-edges of the diagonals inside
   private int innerCount;
   private int[] border = new int[64]; // half-edges that may be crossed next
   private int borderCount;
 
-  /** For polygons of n vertices. */
-  Region(int n) {
-    stamp = new int[n + 2];
+  /** For regions of this triangulation, also while its inner edges change. */
+  Region(Dcel dcel) {
+    stamp = new int[dcel.faceBound()];
+    vertexStamp = new int[dcel.vertexCount()];
   }
 
   /**
-   * Grows a region from a triangle at v, across diagonals chosen at random.
+   * Grows a region from a triangle at v, across edges chosen at random. A triangle whose far corner
+   * is in the region already is left out: it would enclose a vertex or touch the region from outside.
    *
-   * @param size the number of vertices wanted; fewer if the polygon has fewer
+   * @param size the number of vertices wanted; there are fewer where no triangle can be added
    * @return the half-edges round it, counter-clockwise
    */
   int[] grow(Dcel dcel, int v, int size, SplittableRandom random) {
@@ -38,11 +41,13 @@ final class Region {
     start = dcel.face(start) == Dcel.OUTER ? start ^ 1 : start;
     take(dcel, start);
     offer(start);
+    vertexStamp[dcel.origin(start)] = current;
+    vertexStamp[dcel.target(start)] = current;
     for (int vertices = 3; vertices < size && borderCount > 0; ) {
       int pick = random.nextInt(borderCount);
       int e = border[pick];
       border[pick] = border[--borderCount];
-      if (dcel.face(e ^ 1) != Dcel.OUTER && !contains(dcel, e ^ 1)) {
+      if (canCross(dcel, e)) {
         inner = with(inner, innerCount++, e);
         take(dcel, e ^ 1);
         vertices++;
@@ -51,8 +56,15 @@ final class Region {
     return outline(dcel, start);
   }
 
+  private boolean canCross(Dcel dcel, int e) {
+    return dcel.face(e ^ 1) != Dcel.OUTER
+        && vertexStamp[dcel.origin(dcel.prev(e ^ 1))] != current;
+  }
+
+  /** Adds the triangle of e, whose ends are in the region already. */
   private void take(Dcel dcel, int e) {
     stamp[dcel.face(e)] = current;
+    vertexStamp[dcel.origin(dcel.prev(e))] = current;
     offer(dcel.next(e));
     offer(dcel.prev(e));
   }
