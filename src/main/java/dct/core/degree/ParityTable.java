@@ -20,8 +20,9 @@ import java.util.concurrent.atomic.AtomicInteger;
  *
  * <pre>f(i, j)[1−p][1−q] = min over k, r, s of f(i, k)[p][r] + w(k, r+s) + f(k, j)[s][q]</pre>
  *
- * where w(k, r+s) is what that parity costs at k, 1 if it leaves k unsatisfied: k has besides the chords ik and kj only
- * the edges counted by r and s. An edge of the polygon has f[0][0] = 0 and no other entry.
+ * where w(k, r+s) is what that parity costs at k, 1 if it leaves k unsatisfied: k has besides the
+ * chords ik and kj only the edges counted by r and s. An edge of the polygon has f[0][0] = 0 and no
+ * other entry.
  *
  * <p>Time is the number of triangles that see through, at most n³/6, found by merging sorted lists;
  * memory 32 bytes a pair beside the 8 of the graph. The triangle of pairs is cut into blocks, and
@@ -51,7 +52,8 @@ final class ParityTable {
   /**
    * Fills the table.
    *
-   * @param wrong by position k, what it costs that the degree there is even, at 2k, or odd, at 2k + 1
+   * @param wrong by position k, what it costs that the degree there is even, at 2k, or odd, at 2k +
+   *     1
    * @param noise by pair, what its chord costs; or empty. All costs together stay below 2²⁸.
    * @throws java.util.concurrent.CancellationException if cancelled
    */

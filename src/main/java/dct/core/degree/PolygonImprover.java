@@ -27,8 +27,7 @@ final class PolygonImprover {
   private final Progress progress;
   private boolean interrupted;
 
-  PolygonImprover(
-      SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
+  PolygonImprover(SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
     this.polygon = polygon;
     this.goal = goal;
     this.limits = limits;

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /**
- * Triangles of a triangulation that hang together by inner edges so that they cover a simple polygon
- * with no vertex inside. Used again for one region after the other.
+ * Triangles of a triangulation that hang together by inner edges so that they cover a simple
+ * polygon with no vertex inside. Used again for one region after the other.
  */
 final class Region {
   private final int[] stamp; // by face: the number of the region that took it last
@@ -25,7 +25,8 @@ final class Region {
 
   /**
    * Grows a region from a triangle at v, across edges chosen at random. A triangle whose far corner
-   * is in the region already is left out: it would enclose a vertex or touch the region from outside.
+   * is in the region already is left out: it would enclose a vertex or touch the region from
+   * outside.
    *
    * @param size the number of vertices wanted; there are fewer where no triangle can be added
    * @return the half-edges round it, counter-clockwise
@@ -57,8 +58,7 @@ final class Region {
   }
 
   private boolean canCross(Dcel dcel, int e) {
-    return dcel.face(e ^ 1) != Dcel.OUTER
-        && vertexStamp[dcel.origin(dcel.prev(e ^ 1))] != current;
+    return dcel.face(e ^ 1) != Dcel.OUTER && vertexStamp[dcel.origin(dcel.prev(e ^ 1))] != current;
   }
 
   /** Adds the triangle of e, whose ends are in the region already. */

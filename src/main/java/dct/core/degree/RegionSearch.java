@@ -11,9 +11,9 @@ import dct.core.triangulate.VisibilityGraph;
 import java.util.SplittableRandom;
 
 /**
- * Takes triangles out of a triangulation of a polygon and puts them back in the best
- * way there is, given the edges that the rest leaves at the vertices between: an exact {@link
- * ParityTable} over a {@link Region}, which may be large.
+ * Takes triangles out of a triangulation of a polygon and puts them back in the best way there is,
+ * given the edges that the rest leaves at the vertices between: an exact {@link ParityTable} over a
+ * {@link Region}, which may be large.
  *
  * <p>The present triangles are one of the choices, so that the number of unsatisfied vertices never
  * grows. Among choices equally good a random one is taken, by a small random cost of each chord; so
