@@ -17,6 +17,7 @@ final class MeshRegion {
   private final SearchMesh mesh;
   private final SearchRandom random;
   private final RegionTable table;
+  private final RegionSampler sampler;
   private final int lo;
   private final int hi;
   private final int[] ring; // the vertices, counter-clockwise
@@ -26,6 +27,7 @@ final class MeshRegion {
   private final double[] py;
   private int size;
   private int before; // how many of the vertices were unsatisfied when they were taken
+  private boolean drawing; // the triangulation, and not the best one
   private int filled; // how many triangles are written
 
   MeshRegion(SearchMesh mesh, SearchRandom random, int most, int lo, int hi) {
@@ -34,6 +36,7 @@ final class MeshRegion {
     this.lo = lo;
     this.hi = hi;
     table = new RegionTable(mesh, most);
+    sampler = new RegionSampler(mesh, random, most);
     ring = new int[most];
     outer = new int[most];
     slot = new int[most];
@@ -174,6 +177,23 @@ final class MeshRegion {
     return replace(noiseBits);
   }
 
+  /**
+   * Closes the region with a triangulation drawn at random, each in proportion to z to the power of
+   * its unsatisfied vertices.
+   *
+   * @return by how much the number of unsatisfied vertices grew
+   */
+  int fillAtRandom(double z) {
+    for (int i = 0; i < size; i++) {
+      double factor = mesh.weight[ring[i]] == 0 ? 1 : z;
+      boolean isWrong = mesh.wrong[ring[i]] != 0;
+      sampler.even[i] = isWrong ? factor : 1;
+      sampler.odd[i] = isWrong ? 1 : factor;
+    }
+    locate();
+    return rewrite(true, sampler.draw(px, py, size));
+  }
+
   private void setCost(int i, int cost) {
     boolean isWrong = mesh.wrong[ring[i]] != 0;
     table.even[i] = isWrong ? cost : 0;
@@ -181,14 +201,22 @@ final class MeshRegion {
   }
 
   private int replace(int noiseBits) {
+    locate();
+    table.solve(px, py, size, noiseBits, random.nextInt());
+    return rewrite(false, table.ends());
+  }
+
+  private void locate() {
     for (int i = 0; i < size; i++) {
       px[i] = mesh.x[ring[i]];
       py[i] = mesh.y[ring[i]];
     }
-    table.solve(px, py, size, noiseBits, random.nextInt());
+  }
+
+  private int rewrite(boolean atRandom, int ends) {
+    drawing = atRandom;
     filled = 0;
-    int root = write(0, size - 1, table.ends());
-    link(root, outer[size - 1]);
+    mesh.link(write(0, size - 1, ends), outer[size - 1]);
     return unsatisfied() - before;
   }
 
@@ -197,14 +225,14 @@ final class MeshRegion {
     if (j == i + 1) {
       return outer[i];
     }
-    int found = table.apex(px, py, i, j, ends);
+    int found = drawing ? sampler.drawApex(px, py, i, j, ends) : table.apex(px, py, i, j, ends);
     int k = found >> 4;
     int t = slot[filled++];
     setCorner(t, ring[i]);
     setCorner(t + 1, ring[k]);
     setCorner(t + 2, ring[j]);
-    link(t, write(i, k, (found >> 2) & 3));
-    link(t + 1, write(k, j, found & 3));
+    mesh.link(t, write(i, k, (found >> 2) & 3));
+    mesh.link(t + 1, write(k, j, found & 3));
     return t + 2;
   }
 
@@ -212,13 +240,6 @@ final class MeshRegion {
     mesh.corner[e] = v;
     mesh.out[v] = e;
     mesh.wrong[v] ^= 1;
-  }
-
-  private void link(int e, int twin) {
-    mesh.twin[e] = twin;
-    if (twin != SearchMesh.NONE) {
-      mesh.twin[twin] = e;
-    }
   }
 
   private int unsatisfied() {

@@ -21,8 +21,10 @@ final class PartSearch {
   private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
   private static final int DETOUR = 64; // how far along the curve a vertex is led astray
   private static final int PATIENCE = 6; // steps of one walk that come no nearer
-  private static final int PULL = 1 << 14;
+  private static final int PULL_BITS = 14;
   private static final int NOISE_BITS = 9;
+  private static final int STUCK = 4; // rounds without help, after which walks are varied
+  private static final int LARGEST = 32; // vertices of a region then
 
   private final SearchMesh mesh;
   private final SearchRandom random;
@@ -34,6 +36,9 @@ final class PartSearch {
   private final VertexList seen = new VertexList(); // perhaps unsatisfied at its end
   private int unsatisfied;
   private int steps;
+  private int size = SIZE; // of the regions of a walk
+  private int pullBits = PULL_BITS;
+  private int noiseBits = NOISE_BITS;
   private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
   private int second; // the one after it, or NONE
 
@@ -43,7 +48,7 @@ final class PartSearch {
     this.clock = clock;
     this.lo = lo;
     this.hi = hi;
-    region = new MeshRegion(mesh, random, SIZE, lo, hi);
+    region = new MeshRegion(mesh, random, LARGEST, lo, hi);
     collect();
   }
 
@@ -99,11 +104,20 @@ final class PartSearch {
       int v = open.get(q);
       int partner = mesh.isUnsatisfied(v) ? partner(q, idle) : SearchMesh.NONE;
       if (partner != SearchMesh.NONE) {
+        vary(idle);
         walk(v, partner);
       }
     }
     seen.addAll(open);
     open.setUnsatisfied(seen, mesh);
+  }
+
+  /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */
+  private void vary(int idle) {
+    boolean usual = idle < STUCK || random.below(4) == 0;
+    size = usual ? SIZE : SIZE + random.below(random.below(LARGEST - SIZE) + 1);
+    pullBits = usual ? PULL_BITS : PULL_BITS - random.below(7);
+    noiseBits = usual ? NOISE_BITS : NOISE_BITS + 3;
   }
 
   /** A vertex to meet: the nearest, or, where that has not helped, now and then another. */
@@ -170,8 +184,8 @@ final class PartSearch {
   private int step(int v, int target) {
     int change = 0;
     if (region.open(mesh.halfEdgeAt(v, random))) {
-      region.growTowards(target, SIZE);
-      change = region.fillTowards(target, PULL, NOISE_BITS);
+      region.growTowards(target, size);
+      change = region.fillTowards(target, 1 << pullBits, noiseBits);
       unsatisfied += change;
     }
     rank(target);

@@ -56,6 +56,32 @@ final class SearchMesh {
     readTriangles(start.dcel(), place);
   }
 
+  private SearchMesh(SearchMesh that) {
+    free = that.free;
+    x = that.x;
+    y = that.y;
+    site = that.site;
+    plain = that.plain;
+    corner = that.corner.clone();
+    twin = that.twin.clone();
+    out = that.out.clone();
+    wrong = that.wrong.clone();
+    weight = that.weight.clone();
+  }
+
+  /** A mesh that can be changed apart from this one. */
+  SearchMesh copy() {
+    return new SearchMesh(this);
+  }
+
+  /** Makes this mesh what another one over the same sites is. */
+  void set(SearchMesh that) {
+    System.arraycopy(that.corner, 0, corner, 0, corner.length);
+    System.arraycopy(that.twin, 0, twin, 0, twin.length);
+    System.arraycopy(that.out, 0, out, 0, out.length);
+    System.arraycopy(that.wrong, 0, wrong, 0, wrong.length);
+  }
+
   private void readTriangles(Dcel dcel, int[] place) {
     int[] slot = new int[2 * dcel.edgeBound()];
     int e = 0;
@@ -144,6 +170,58 @@ final class SearchMesh {
       return (ax - cx) * (by - cy) > (ay - cy) * (bx - cx);
     }
     return Predicates.orient(ax, ay, bx, by, cx, cy) > 0;
+  }
+
+  /**
+   * Turns the edge of e in the quadrilateral of its two triangles, which is strictly convex.
+   *
+   * <pre>
+   *       c                c
+   *     ↗   ↖            ↗ ↑ ↖
+   *   a ── e → b   →   a   e   b
+   *     ↘   ↗            ↘ │ ↗
+   *       d                d
+   * </pre>
+   */
+  void flip(int e) {
+    int t = twin[e];
+    int bc = next(e);
+    int ca = prev(e);
+    int ad = next(t);
+    int db = prev(t);
+    int a = corner[e];
+    int b = corner[t];
+    int c = corner[ca];
+    int d = corner[db];
+    int beyondAd = twin[ad];
+    int beyondBc = twin[bc];
+    // e's triangle becomes d c a, its twin's c d b.
+    corner[e] = d;
+    corner[bc] = c;
+    corner[ca] = a;
+    corner[t] = c;
+    corner[ad] = d;
+    corner[db] = b;
+    link(bc, twin[ca]);
+    link(ca, beyondAd);
+    link(ad, twin[db]);
+    link(db, beyondBc);
+    out[a] = ca;
+    out[b] = db;
+    out[c] = t;
+    out[d] = e;
+    wrong[a] ^= 1;
+    wrong[b] ^= 1;
+    wrong[c] ^= 1;
+    wrong[d] ^= 1;
+  }
+
+  /** Makes two half-edges twins; the second may be NONE. */
+  void link(int e, int other) {
+    twin[e] = other;
+    if (other != NONE) {
+      twin[other] = e;
+    }
   }
 
   /** The square of the distance between two vertices. */

@@ -21,6 +21,12 @@ import java.util.stream.IntStream;
  * result does not depend on threads. The parts are then moved by half their length, and what is
  * left is paired over the whole.
  *
+ * <p>Where that stops short of the bound, as it does for sites in regular patterns and on long
+ * straight sides of the hull, regions are drawn at random instead of solved, again and again, by a
+ * few searches with different schedules ({@link AnnealedTeam}). Rectangles of two triangles have
+ * their diagonals aligned beforehand, which solves full lattices at once ({@link
+ * RectangleDiagonals}).
+ *
  * <p>Each step costs the same however many sites there are; on random sites about O(n) steps are
  * taken, and the bound is attained. Space O(n). The same triangulation, goal, seed and effort give
  * the same result unless a limit of time or the user ends the search.
@@ -30,7 +36,7 @@ public final class SiteOptimizer {
   private static final int PART = 1 << 13; // vertices of a part
   private static final int SWEEPS = 3;
   private static final int PART_PATIENCE = 3; // rounds that have not helped
-  private static final int PATIENCE = 2000;
+  private static final int PATIENCE = 300;
 
   private final Triangulation start;
   private final ParityGoal goal;
@@ -78,14 +84,18 @@ public final class SiteOptimizer {
   }
 
   private Optimum run() {
+    RectangleDiagonals.align(mesh);
     if (mesh.size() > 2 * PART) {
       searchInParts();
     }
     searchWhole();
     Triangulation best = mesh.toTriangulation(start);
     int unsatisfied = goal.unsatisfied(best);
+    boolean isWorse = unsatisfied > goal.unsatisfied(start); // aligned and then interrupted
     boolean interrupted = clock.struck() && unsatisfied > bound.value();
-    return new Optimum(best, goal, unsatisfied, bound, interrupted);
+    return isWorse
+        ? new Optimum(start, goal, goal.unsatisfied(start), bound, interrupted)
+        : new Optimum(best, goal, unsatisfied, bound, interrupted);
   }
 
   private void searchInParts() {
@@ -120,6 +130,17 @@ public final class SiteOptimizer {
       whole.sweep(bound.value());
     }
     clock.report(0.8, whole.unsatisfied());
-    whole.pairUp(bound.value(), (int) (PATIENCE * limits.effort()));
+    whole.pairUp(bound.value(), PATIENCE);
+    if (whole.unsatisfied() > bound.value()) {
+      anneal();
+    }
+  }
+
+  private void anneal() {
+    passes++;
+    AnnealedTeam team =
+        new AnnealedTeam(mesh, clock, i -> SearchRandom.of(limits.seed(), passes, i));
+    team.run(bound.value(), limits.effort());
+    mesh.set(team.best());
   }
 }
