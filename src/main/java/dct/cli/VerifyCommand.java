@@ -18,7 +18,7 @@ final class VerifyCommand extends Verb {
         "Checks a result independently.",
         "Takes a whole result (triangulate -o RESULT.json) and believes nothing in it: planar,"
             + " covers the domain, degrees recounted, flips undone and recounted, Delaunay where"
-            + " claimed.");
+            + " claimed, the lower bound recomputed; or it says that it could not be.");
   }
 
   @Override
@@ -28,17 +28,18 @@ final class VerifyCommand extends Verb {
         name.equals("-")
             ? ResultJson.read(name, console().in())
             : ResultJson.read(InputParameters.path(name));
-    ResultVerifier.verify(stored);
+    String remark = ResultVerifier.verify(stored);
     if (!isSet(quiet)) {
       console()
           .print(
-              "%s: true, %s, %d vertices, %d even, %d odd"
+              "%s: true, %s, %d vertices, %d even, %d odd%s"
                   .formatted(
                       name,
                       stored.text("algorithm").orElseThrow(),
                       stored.points().size(),
                       stored.whole("even").orElseThrow(),
-                      stored.whole("odd").orElseThrow()));
+                      stored.whole("odd").orElseThrow(),
+                      remark));
     }
     return CommandLineProgram.DONE;
   }

@@ -213,7 +213,7 @@ class ResultVerifierTest {
             POLYGON,
             none,
             j -> j.addProperty("post", "prayer"),
-            "the field \"post\" is neither \"none\" nor \"flip\""),
+            "the field \"post\" is none of \"none\", \"flip\", \"optimize\""),
         lie(
             "merged vertices of a polygon",
             POLYGON,

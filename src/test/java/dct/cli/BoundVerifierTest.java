@@ -1,0 +1,93 @@
+package dct.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Bounds that a result file states, recomputed from the file alone. */
+class BoundVerifierTest {
+  private static final String SITES = "# kind: points\n";
+  private static final String TRIANGLE_AND_CENTRE = SITES + "0 0\n9 0\n4 8\n4 3\n";
+  private static final String FIVE_ON_A_LINE = "0 0\n1 0\n2 0\n3 0\n4 0\n1 3\n";
+
+  private static JsonObject result(String points, int bound, String reason) {
+    String text = CliRun.withInput(points, "triangulate", "-", "-o", "-").done().out();
+    JsonObject result = JsonParser.parseString(text).getAsJsonObject();
+    result.addProperty("oddLowerBound", bound);
+    result.addProperty("optimal", result.get("odd").getAsInt() == bound);
+    result.addProperty("boundReason", reason);
+    return result;
+  }
+
+  private static String verified(JsonObject result) {
+    return CliRun.withInput(result.toString(), "verify", "-").done().out();
+  }
+
+  private static String fault(JsonObject result) {
+    CliRun run = CliRun.withInput(result.toString(), "verify", "-");
+    assertThat(run.status()).isEqualTo(3);
+    return run.err();
+  }
+
+  @Test
+  void aBoundOfSitesIsRecomputed() {
+    assertThat(verified(result(TRIANGLE_AND_CENTRE, 4, "three hull sites")))
+        .contains("4 odd; lower bound 4 recomputed: 4 (degree sum)");
+  }
+
+  @Test
+  void theBoundaryCountIsRecomputed() {
+    assertThat(verified(result(SITES + "0 0\n9 0\n9 8\n1 7\n", 2, "4 hull sites")))
+        .contains("lower bound 2 recomputed: 2 (4 hull sites, 3 does not divide 4)");
+  }
+
+  @Test
+  void theExactOptimumOfAPolygonIsRecomputed() {
+    assertThat(verified(result(FIVE_ON_A_LINE, 4, "exact table")))
+        .contains("lower bound 4 recomputed: 4 (exact table");
+  }
+
+  @Test
+  void anOptimizedResultNeedNotBeDelaunay() {
+    JsonObject result = result(TRIANGLE_AND_CENTRE, 4, "three hull sites");
+    result.addProperty("post", "optimize");
+    assertThat(verified(result)).contains("lower bound 4 recomputed");
+  }
+
+  @Test
+  void aBoundAboveTheOptimumIsALie() {
+    String hexagon = "0 0\n5 -2\n9 1\n10 6\n4 9\n-1 5\n";
+    String flatHexagon = "0 0\n20 -5\n40 1\n39 10\n20 15\n1 10\n";
+    for (String points : new String[] {hexagon, SITES + flatHexagon}) {
+      JsonObject lie = result(points, 2, "hull walk");
+      assertThat(lie.get("odd").getAsInt()).isPositive();
+      assertThat(fault(lie)).contains("\"oddLowerBound\" says 2, but the optimum is 0");
+    }
+  }
+
+  @Test
+  void aBoundAboveTheResultIsALie() {
+    assertThat(fault(result(TRIANGLE_AND_CENTRE, 6, "hull walk")))
+        .contains("\"oddLowerBound\" says 6, but 4 odd vertices are here");
+  }
+
+  @Test
+  void aBoundBelowTheBoundaryCountIsALie() {
+    assertThat(fault(result(SITES + "0 0\n9 0\n9 8\n1 7\n", 0, "none")))
+        .contains("\"oddLowerBound\" says 0, but it is 2 at least");
+  }
+
+  @Test
+  void whatCannotBeRecomputedIsSaid() {
+    Random random = new Random(4);
+    StringBuilder sites = new StringBuilder(SITES);
+    for (int i = 0; i < 60; i++) {
+      sites.append(random.nextInt(10_000)).append(' ').append(random.nextInt(10_000)).append('\n');
+    }
+    assertThat(verified(result(sites.toString(), 4, "a longer search")))
+        .containsPattern("lower bound 4 was not recomputed, only [02] \\(\\d+ hull sites");
+  }
+}
