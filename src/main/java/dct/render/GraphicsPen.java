@@ -78,13 +78,18 @@ public final class GraphicsPen implements Pen {
   }
 
   @Override
+  public void rectangle(double x, double y, double width, double height) {
+    rectangle.setFrame(x, y, width, height);
+    graphics.fill(rectangle);
+  }
+
+  @Override
   public void square(double x, double y, double halfSide) {
     if (halfSide < TINY && !smooth) {
       int side = (int) Math.max(1, Math.round(2 * halfSide));
       graphics.fillRect((int) Math.round(x) - side / 2, (int) Math.round(y) - side / 2, side, side);
     } else {
-      rectangle.setFrame(x - halfSide, y - halfSide, 2 * halfSide, 2 * halfSide);
-      graphics.fill(rectangle);
+      Pen.super.square(x, y, halfSide);
     }
   }
 

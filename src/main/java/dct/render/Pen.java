@@ -25,8 +25,13 @@ public interface Pen {
   /** A filled disc. */
   void disc(double x, double y, double radius);
 
-  /** A filled square of half this side. */
-  void square(double x, double y, double halfSide);
+  /** A filled rectangle with this upper left corner. */
+  void rectangle(double x, double y, double width, double height);
+
+  /** A filled square of half this side, round a point. */
+  default void square(double x, double y, double halfSide) {
+    rectangle(x - halfSide, y - halfSide, 2 * halfSide, 2 * halfSide);
+  }
 
   /** The outline of a circle. */
   void ring(double x, double y, double radius);

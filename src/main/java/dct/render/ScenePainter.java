@@ -14,8 +14,6 @@ public final class ScenePainter {
   private static final double LARGEST_DOT = 4.5;
   private static final double SMALLEST_DOT = 0.6;
   private static final double MARGIN = 12;
-  private static final double COUNT_SIZE = 14;
-  private static final double COUNT_LEADING = 19;
   private static final double DEFECT_RING = 10;
 
   private final Scene scene;
@@ -124,11 +122,6 @@ public final class ScenePainter {
   }
 
   private void counts() {
-    double baseline = clip.minY() + MARGIN + COUNT_SIZE;
-    pen.style(Stroke.fill(Ink.LABEL));
-    for (String line : scene.counts()) {
-      pen.text(clip.maxX() - MARGIN, baseline, Anchor.END, COUNT_SIZE, line);
-      baseline += COUNT_LEADING;
-    }
+    Caption.paint(pen, clip.maxX() - MARGIN, clip.minY() + MARGIN, Anchor.END, scene.counts());
   }
 }

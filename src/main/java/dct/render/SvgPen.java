@@ -82,12 +82,12 @@ public final class SvgPen implements Pen {
   }
 
   @Override
-  public void square(double x, double y, double halfSide) {
+  public void rectangle(double x, double y, double width, double height) {
     out.append("<rect x=\"");
-    number(x - halfSide);
-    attribute("y", y - halfSide);
-    attribute("width", 2 * halfSide);
-    attribute("height", 2 * halfSide);
+    number(x);
+    attribute("y", y);
+    attribute("width", width);
+    attribute("height", height);
     out.append(" stroke=\"none\"/>\n");
   }
 

@@ -32,12 +32,12 @@ final class CommandList {
     rows.addAll(MOUSE);
     JTable table = new JTable(model(rows));
     table.setName("commands");
-    table.getColumnModel().getColumn(0).setPreferredWidth(220);
-    table.getColumnModel().getColumn(1).setPreferredWidth(160);
-    table.getColumnModel().getColumn(2).setPreferredWidth(420);
+    table.getColumnModel().getColumn(0).setPreferredWidth(260);
+    table.getColumnModel().getColumn(1).setPreferredWidth(200);
+    table.getColumnModel().getColumn(2).setPreferredWidth(500);
     JDialog dialog = new JDialog(owner, "Commands and Keys");
     JScrollPane scroll = new JScrollPane(table);
-    scroll.setPreferredSize(new Dimension(820, 560));
+    scroll.setPreferredSize(new Dimension(980, 620));
     dialog.add(scroll);
     dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
     dialog.pack();

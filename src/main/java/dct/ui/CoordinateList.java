@@ -1,8 +1,6 @@
 package dct.ui;
 
-import com.formdev.flatlaf.FlatClientProperties;
 import dct.core.geometry.Points;
-import java.awt.Color;
 import java.awt.Font;
 import java.math.BigDecimal;
 import javax.swing.BorderFactory;
@@ -21,24 +19,18 @@ final class CoordinateList extends JScrollPane {
   private static final int MOST_LINES = 5_000;
 
   private final JTextArea coordinates = new JTextArea();
-  private final JTextArea numbers = new JTextArea();
+  private final LineNumbers numbers = new LineNumbers(coordinates);
   private transient Points shown;
 
   CoordinateList() {
     coordinates.setName("coordinates");
     coordinates.getAccessibleContext().setAccessibleName("Coordinates of the vertices");
-    numbers.getAccessibleContext().setAccessibleName("Numbers of the vertices");
-    numbers.setFocusable(false);
-    numbers.putClientProperty(FlatClientProperties.MINIMUM_WIDTH, 0);
-    for (JTextArea area : new JTextArea[] {coordinates, numbers}) {
-      area.setEditable(false);
-      area.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
-    }
-    numbers.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+    coordinates.setEditable(false);
+    coordinates.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
     coordinates.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 8));
     setViewportView(coordinates);
     setRowHeaderView(numbers);
-    dim();
+    brighten();
   }
 
   /** Shows these points. */
@@ -49,18 +41,16 @@ final class CoordinateList extends JScrollPane {
     shown = points;
     int lines = Math.min(points.size(), MOST_LINES);
     StringBuilder text = new StringBuilder();
-    StringBuilder names = new StringBuilder();
     for (int v = 0; v < lines; v++) {
-      names.append('v').append(v).append('\n');
       text.append(number(points.x(v))).append(' ').append(number(points.y(v))).append('\n');
     }
     if (lines < points.size()) {
       text.append("and ").append(points.size() - lines).append(" more");
     }
     int caret = Math.min(coordinates.getCaretPosition(), text.length());
-    numbers.setText(names.toString());
     coordinates.setText(text.toString());
     coordinates.setCaretPosition(caret);
+    numbers.setLines(lines);
   }
 
   private static String number(double value) {
@@ -72,18 +62,13 @@ final class CoordinateList extends JScrollPane {
   @Override
   public void updateUI() {
     super.updateUI();
-    if (numbers != null) {
-      dim();
+    if (coordinates != null) { // not yet while the superclass is made
+      brighten();
     }
   }
 
-  private void dim() {
-    // The text is for reading and copying; it is not disabled, though it cannot be edited.
+  /** The text cannot be edited, but it is not disabled either. */
+  private void brighten() {
     coordinates.setBackground(UIManager.getColor("TextField.background"));
-    numbers.setBackground(UIManager.getColor("TextField.background"));
-    Color grey = UIManager.getColor("Label.disabledForeground");
-    if (grey != null) {
-      numbers.setForeground(grey);
-    }
   }
 }

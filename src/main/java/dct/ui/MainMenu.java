@@ -62,14 +62,19 @@ final class MainMenu {
     JMenu menu = new JMenu("Open Sample");
     menu.setName("Open Sample");
     menu.setMnemonic('p');
-    for (String name : Samples.names()) {
-      JMenuItem item = new JMenuItem(name.replaceFirst("\\.txt$", ""));
+    addSamples(menu, Domain.POLYGON);
+    menu.addSeparator();
+    addSamples(menu, Domain.SITES);
+    return menu;
+  }
+
+  private void addSamples(JMenu menu, Domain domain) {
+    for (String name : Samples.names(domain)) {
+      JMenuItem item = new JMenuItem(Samples.title(name));
       item.setName(name);
       item.addActionListener(e -> files.openSample(name));
       menu.add(item);
     }
-    menu.setEnabled(menu.getItemCount() > 0);
-    return menu;
   }
 
   private CommandMenu edit() {

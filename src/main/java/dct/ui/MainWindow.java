@@ -83,6 +83,7 @@ public final class MainWindow extends JFrame {
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
     workbench.addListener(this::refresh);
     workbench.jobs().setListener(new JobListener());
+    setTransferHandler(new FileDrop(files::open));
     onKey("ctrl Y", () -> workbench.active().ifPresent(Editor::redo));
     onKey("ESCAPE", this::giveUp);
   }

@@ -5,6 +5,7 @@ import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import javax.swing.JFrame;
 
 /** Finds places for windows on the screen. */
 final class Placement {
@@ -27,15 +28,16 @@ final class Placement {
 
   /**
    * Packs a window and puts it to the right of another, as far as the screen goes; over the owner,
-   * windows are put one after the other a step down and right.
+   * windows are put one after the other a step down and right, below its menus.
    */
-  static void beside(Window window, Window other, Window owner, int already) {
+  static void beside(Window window, Window other, JFrame owner, int already) {
     window.pack();
     Rectangle screen = usable(owner);
     int step = STEP * (1 + already % 6);
     boolean overOwner = other == owner;
     int x = overOwner ? owner.getX() + step : other.getX() + other.getWidth();
-    int y = overOwner ? owner.getY() + step : other.getY();
+    int y =
+        overOwner ? owner.getContentPane().getLocationOnScreen().y + step - STEP / 2 : other.getY();
     if (!overOwner && x + window.getWidth() > screen.x + screen.width) {
       // No room on the right: to the left, or else as far right as there is room.
       int left = other.getX() - window.getWidth();

@@ -20,7 +20,7 @@ import javax.swing.JFrame;
  */
 final class PolygonResults {
   private final Workbench workbench;
-  private final JFrame owner;
+  private final MainWindow owner;
   private final List<JFrame> frames = new ArrayList<>();
   private PolygonMethod method = PolygonMethod.MONOTONE;
   private Latest latest; // null before the first
@@ -28,7 +28,7 @@ final class PolygonResults {
   /** A triangulation, of which document, and where it is shown. */
   private record Latest(Document document, Triangulation triangulation, JFrame frame) {}
 
-  PolygonResults(Workbench workbench, JFrame owner) {
+  PolygonResults(Workbench workbench, MainWindow owner) {
     this.workbench = workbench;
     this.owner = owner;
   }
@@ -81,7 +81,7 @@ final class PolygonResults {
   private void show(
       Document document, Triangulation result, Scene scene, String title, JFrame beside) {
     Editor editor = workbench.editor(Domain.POLYGON);
-    ResultFrame frame = new ResultFrame(title, editor.name(), scene);
+    ResultFrame frame = new ResultFrame(title, editor.name(), scene, owner.canvas().labels());
     Placement.beside(frame, beside, owner, frames.size());
     if (beside != owner) {
       beside.toFront(); // so that old and new can be compared

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.render.Labels;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
@@ -23,11 +24,13 @@ public final class ResultFrame extends JFrame {
    *
    * @param method what was done
    * @param name what it was done to
+   * @param labels what is written beside the vertices at first
    */
-  public ResultFrame(String method, String name, Scene scene) {
+  public ResultFrame(String method, String name, Scene scene, Labels labels) {
     super(method + " · " + name);
     setName("result");
     canvas.setPreferredSize(CANVAS);
+    canvas.setLabels(labels);
     canvas.setScene(scene);
     canvas.getAccessibleContext().setAccessibleDescription(String.join("; ", scene.counts()));
     canvas.addComponentListener(new FitAtFirst());

@@ -18,7 +18,27 @@ public final class Samples {
 
   private Samples() {}
 
-  /** Their names, in the order of the index; none if there is no index. */
+  /** The names of the samples of one application, in the order of the index. */
+  public static List<String> names(Domain domain) {
+    return names().stream().filter(name -> domain(name) == domain).toList();
+  }
+
+  private static Domain domain(String name) {
+    return FileNames.domain(Path.of(name)).orElse(Domain.POLYGON);
+  }
+
+  /**
+   * A name for a menu: "Figure 3.9 convex pieces" for figure_3_09_convex_pieces_polygonbased.txt.
+   */
+  static String title(String name) {
+    String words =
+        name.replaceFirst("_(polygon|point)based\\.txt$", "")
+            .replaceFirst("_(\\d+)_0*(\\d+)", "_$1.$2")
+            .replace('_', ' ');
+    return Character.toUpperCase(words.charAt(0)) + words.substring(1);
+  }
+
+  /** The names of all samples, in the order of the index; none if there is no index. */
   public static List<String> names() {
     try (InputStream in = Samples.class.getResourceAsStream(FOLDER + INDEX)) {
       if (in == null) {
@@ -41,8 +61,7 @@ public final class Samples {
       if (in == null) {
         throw new IllegalStateException("the program lacks its sample " + name);
       }
-      Domain domain = FileNames.domain(Path.of(name)).orElse(Domain.POLYGON);
-      return new Document(domain, PointFile.read(name, in).points());
+      return new Document(domain(name), PointFile.read(name, in).points());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -47,7 +47,7 @@ class PictureFileTest {
     Document svg = parse(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700));
     assertThat(svg.getElementsByTagName("line").getLength()).isEqualTo(7);
     int discs = svg.getElementsByTagName("circle").getLength();
-    int squares = svg.getElementsByTagName("rect").getLength() - 1; // without the ground
+    int squares = svg.getElementsByTagName("rect").getLength() - 2; // without grounds
     assertThat(discs).isEqualTo(3);
     assertThat(squares).isEqualTo(2);
     assertThat(svg.getElementsByTagName("text").item(1).getTextContent())

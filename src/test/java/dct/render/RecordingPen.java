@@ -35,6 +35,11 @@ final class RecordingPen implements Pen {
   }
 
   @Override
+  public void rectangle(double x, double y, double width, double height) {
+    shapes.add(new Shape("rectangle", ink, x, y, ""));
+  }
+
+  @Override
   public void square(double x, double y, double halfSide) {
     shapes.add(new Shape("square", ink, x, y, ""));
   }

@@ -3,6 +3,7 @@ package dct.ui.canvas;
 import com.formdev.flatlaf.FlatLaf;
 import dct.core.geometry.Points;
 import dct.render.Box;
+import dct.render.Caption;
 import dct.render.GraphicsPen;
 import dct.render.Ink;
 import dct.render.Labels;
@@ -167,10 +168,8 @@ public final class CanvasPanel extends JPanel {
   }
 
   private void paintWords(Pen pen) {
+    Caption.paint(pen, 12, 12, Anchor.START, corner.isEmpty() ? List.of() : List.of(corner));
     pen.style(Stroke.fill(Ink.LABEL));
-    if (!corner.isEmpty()) {
-      pen.text(12, 25, Anchor.START, 13, corner);
-    }
     double y = getHeight() / 2.0 - 14 * (welcome.size() - 1);
     double size = 22;
     for (String line : welcome) {

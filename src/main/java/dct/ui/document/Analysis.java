@@ -10,6 +10,7 @@ import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.render.Scene;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -20,17 +21,14 @@ import java.util.Optional;
 public final class Analysis {
   private final Document document;
   private final Optional<Triangulation> triangulation;
-  private final Optional<Defect> defect;
+  private final List<Defect> defects; // the first is the one to name
   private final Scene scene;
 
   private Analysis(
-      Document document,
-      Optional<Triangulation> triangulation,
-      Optional<Defect> defect,
-      Scene scene) {
+      Document document, Optional<Triangulation> triangulation, List<Defect> defects, Scene scene) {
     this.document = document;
     this.triangulation = triangulation;
-    this.defect = defect;
+    this.defects = defects;
     this.scene = scene;
   }
 
@@ -53,28 +51,39 @@ public final class Analysis {
         document.domain() == Domain.POLYGON
             ? Scene.polygon(points, growing, List.of())
             : Scene.sites(points);
-    return new Analysis(document, Optional.empty(), Optional.empty(), scene);
+    return new Analysis(document, Optional.empty(), List.of(), scene);
   }
 
   private static Analysis polygon(Document document, boolean growing) {
     Points points = document.points();
-    Optional<Defect> defect = SimplicityCheck.firstDefect(points);
-    Scene scene = Scene.polygon(points, growing, defect.stream().toList());
-    return new Analysis(document, Optional.empty(), defect, scene);
+    List<Defect> defects = defects(points);
+    return new Analysis(
+        document, Optional.empty(), defects, Scene.polygon(points, growing, defects));
+  }
+
+  private static List<Defect> defects(Points points) {
+    List<Defect> defects = new ArrayList<>();
+    SimplicityCheck.firstDefect(points)
+        .ifPresent(
+            first -> {
+              defects.add(first);
+              defects.addAll(Crossings.of(points));
+            });
+    return List.copyOf(defects);
   }
 
   private static Analysis sites(Document document, Progress progress) {
     if (document.size() < 3) {
       Scene scene = Scene.sites(document.points());
-      return new Analysis(document, Optional.empty(), Optional.empty(), scene);
+      return new Analysis(document, Optional.empty(), List.of(), scene);
     }
     Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points()), progress);
-    return new Analysis(document, Optional.of(delaunay), Optional.empty(), Scene.of(delaunay));
+    return new Analysis(document, Optional.of(delaunay), List.of(), Scene.of(delaunay));
   }
 
   /** This analysis with the triangulation of the sites after flips. */
   public Analysis flipped(FlipResult result) {
-    return new Analysis(document, Optional.of(result.after()), Optional.empty(), Scene.of(result));
+    return new Analysis(document, Optional.of(result.after()), List.of(), Scene.of(result));
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
@@ -82,9 +91,8 @@ public final class Analysis {
     if (document.domain() != Domain.POLYGON) {
       return this;
     }
-    List<Defect> defects = defect.stream().toList();
     return new Analysis(
-        document, triangulation, defect, Scene.polygon(document.points(), growing, defects));
+        document, triangulation, defects, Scene.polygon(document.points(), growing, defects));
   }
 
   /** What was analysed. */
@@ -98,8 +106,8 @@ public final class Analysis {
   }
 
   /** What keeps the polygon from being simple. */
-  public Optional<Defect> defect() {
-    return defect;
+  public List<Defect> defects() {
+    return defects;
   }
 
   /** The picture. */

@@ -1,0 +1,96 @@
+package dct.ui.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class HistoryTest {
+  private final History history = new History(Document.empty(Domain.SITES));
+
+  @Test
+  void revertUndoesApplyForEveryEdit() {
+    Document document = new Document(Domain.POLYGON, Points.ofPairs(0, 0, 9, 0, 5, 7));
+    List<Edit> edits =
+        List.of(
+            Edit.draw(document, 1, 6),
+            Edit.split(1, 4, 0),
+            Edit.delete(document, 1),
+            Edit.move(document, 2, 8, 8),
+            Edit.replace("Clear Canvas", document, Points.ofPairs()));
+    for (Edit edit : edits) {
+      Points after = edit.apply(document.points());
+      assertThat(after).as(edit.label()).isNotEqualTo(document.points());
+      assertThat(edit.revert(after)).as(edit.label()).isEqualTo(document.points());
+    }
+    assertThat(edits)
+        .extracting(Edit::label)
+        .containsExactly(
+            "Draw Vertex v3",
+            "Split Vertex v1",
+            "Delete Vertex v1",
+            "Edit Vertex v2",
+            "Clear Canvas");
+  }
+
+  @Test
+  void undoAndRedoWalkThroughAllStates() {
+    long seed = 7;
+    Random random = new Random(seed);
+    List<Document> states = new ArrayList<>(List.of(history.present()));
+    for (int i = 0; i < 60; i++) {
+      history.perform(randomEdit(random, history.present()));
+      states.add(history.present());
+    }
+    for (int i = 59; i >= 0; i--) {
+      history.undo();
+      assertThat(history.present()).as("seed %d, state %d", seed, i).isEqualTo(states.get(i));
+    }
+    history.undo();
+    assertThat(history.present()).isEqualTo(states.get(0));
+    for (int i = 1; i <= 60; i++) {
+      history.redo();
+      assertThat(history.present()).as("seed %d, state %d", seed, i).isEqualTo(states.get(i));
+    }
+  }
+
+  private static Edit randomEdit(Random random, Document document) {
+    int n = document.size();
+    double x = random.nextInt(100);
+    double y = random.nextInt(100);
+    return switch (n < 3 ? 0 : random.nextInt(4)) {
+      case 0 -> Edit.draw(document, x, y);
+      case 1 -> Edit.split(random.nextInt(n), x, y);
+      case 2 -> Edit.delete(document, random.nextInt(n));
+      default -> Edit.move(document, random.nextInt(n), x, y);
+    };
+  }
+
+  @Test
+  void anEditForgetsWhatWasUndone() {
+    history.perform(Edit.draw(history.present(), 1, 1));
+    history.undo();
+    assertThat(history.redoLabel()).contains("Draw Vertex v0");
+    history.perform(Edit.draw(history.present(), 2, 2));
+    assertThat(history.redoLabel()).isEmpty();
+    assertThat(history.undoLabel()).contains("Draw Vertex v0");
+  }
+
+  @Test
+  void aDocumentIsChangedUntilItIsSavedOrBackAtWhatWasSaved() {
+    assertThat(history.isChanged()).isFalse();
+    history.perform(Edit.draw(history.present(), 1, 1));
+    assertThat(history.isChanged()).isTrue();
+    history.undo();
+    assertThat(history.isChanged()).isFalse();
+    history.redo();
+    history.markSaved(history.present());
+    assertThat(history.isChanged()).isFalse();
+    history.undo();
+    assertThat(history.isChanged()).isTrue();
+  }
+}

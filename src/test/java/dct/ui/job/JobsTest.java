@@ -1,0 +1,120 @@
+package dct.ui.job;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class JobsTest {
+  private final Jobs jobs = new Jobs();
+  private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
+
+  @BeforeEach
+  void listen() {
+    jobs.setListener(
+        new Jobs.Listener() {
+          @Override
+          public void running(String what, double fraction) {
+            heard.add("running " + what);
+          }
+
+          @Override
+          public void idle() {
+            heard.add("idle");
+          }
+
+          @Override
+          public void failed(String what, Throwable cause) {
+            heard.add("failed " + what + ": " + cause.getMessage());
+          }
+        });
+  }
+
+  @Test
+  void workIsDoneOffTheEventThreadAndItsResultHandedOverOnIt() throws Exception {
+    List<Boolean> onEventThread = new ArrayList<>();
+    submit(() -> onEventThread.add(SwingUtilities.isEventDispatchThread()), onEventThread);
+    awaitIdle();
+    assertThat(onEventThread).containsExactly(false, true);
+  }
+
+  private void submit(Runnable work, List<Boolean> onEventThread) throws Exception {
+    SwingUtilities.invokeAndWait(
+        () ->
+            jobs.submit(
+                "work",
+                progress -> {
+                  work.run();
+                  return 1;
+                },
+                result -> onEventThread.add(SwingUtilities.isEventDispatchThread())));
+  }
+
+  @Test
+  void aCancelledJobHasNoEffect() throws Exception {
+    CountDownLatch started = new CountDownLatch(1);
+    List<Integer> results = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () ->
+            jobs.submit(
+                "endless",
+                progress -> {
+                  started.countDown();
+                  while (true) {
+                    progress.checkCancelled();
+                    Thread.onSpinWait();
+                  }
+                },
+                (Integer result) -> results.add(result)));
+    assertThat(started.await(10, TimeUnit.SECONDS)).isTrue();
+    SwingUtilities.invokeAndWait(jobs::cancelCurrent);
+    awaitIdle();
+    assertThat(results).isEmpty();
+    assertThat(heard).noneMatch(line -> line.startsWith("failed"));
+  }
+
+  @Test
+  void aFailureIsTold() throws Exception {
+    SwingUtilities.invokeAndWait(
+        () ->
+            jobs.submit(
+                "work",
+                progress -> {
+                  throw new IllegalStateException("broken");
+                },
+                result -> {}));
+    List<String> lines = awaitIdle();
+    assertThat(lines).contains("failed work: broken");
+  }
+
+  @Test
+  void jobsRunOneAfterTheOther() throws Exception {
+    List<Integer> order = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          for (int i = 0; i < 20; i++) {
+            int number = i;
+            jobs.submit("work", progress -> number, order::add);
+          }
+        });
+    awaitIdle();
+    assertThat(order).hasSize(20).isSorted();
+  }
+
+  private List<String> awaitIdle() throws InterruptedException {
+    List<String> lines = new ArrayList<>();
+    String line = "";
+    while (!line.equals("idle")) {
+      line = heard.poll(10, TimeUnit.SECONDS);
+      assertThat(line).as("after %s", lines).isNotNull();
+      lines.add(line);
+    }
+    return lines;
+  }
+}
