@@ -36,10 +36,16 @@ final class BigPredicates {
     BigDecimal vx = minus(p.x(d), p.x(c));
     BigDecimal vy = minus(p.y(d), p.y(c));
     BigDecimal top = cross(minus(p.x(c), p.x(a)), minus(p.y(c), p.y(a)), vx, vy);
-    BigDecimal t = top.divide(cross(ux, uy, vx, vy), MathContext.DECIMAL128);
-    double x = new BigDecimal(p.x(a)).add(t.multiply(ux)).doubleValue();
-    double y = new BigDecimal(p.y(a)).add(t.multiply(uy)).doubleValue();
+    BigDecimal bottom = cross(ux, uy, vx, vy);
+    double x = along(p.x(a), ux, top, bottom);
+    double y = along(p.y(a), uy, top, bottom);
     return new double[] {x, y};
+  }
+
+  /** from + step · top / bottom, divided last so that only the result is rounded. */
+  private static double along(double from, BigDecimal step, BigDecimal top, BigDecimal bottom) {
+    BigDecimal sum = new BigDecimal(from).multiply(bottom).add(step.multiply(top));
+    return sum.divide(bottom, MathContext.DECIMAL128).doubleValue();
   }
 
   private static BigDecimal minus(double p, double q) {

@@ -129,10 +129,10 @@ class ConvexPolygonTest {
     SimplePolygon straight = SimplePolygon.of(Points.ofPairs(0, 0, 2, 0, 4, 0, 2, 3));
     assertThatThrownBy(() -> Aqt.triangulate(straight))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("vertex 1");
+        .hasMessageContaining("180°");
     SimplePolygon reflex = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 1, 1, 0, 4));
     assertThatThrownBy(() -> Aqt.triangulate(reflex))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("vertex 2");
+        .hasMessageContaining("180°");
   }
 }

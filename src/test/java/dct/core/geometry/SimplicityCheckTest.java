@@ -112,7 +112,7 @@ class SimplicityCheckTest {
     return true;
   }
 
-  /** The crossing point within a billionth of the size of the edges. */
+  /** The crossing point, found along the other edge. */
   private static void checkPlace(Points p, Defect d, String what) {
     int i = d.first();
     int j = d.second();
@@ -127,13 +127,17 @@ class SimplicityCheckTest {
         ux.multiply(minus(p.y(j), p.y(i))).subtract(uy.multiply(minus(p.x(j), p.x(i))));
     BigDecimal there =
         ux.multiply(minus(p.y(jj), p.y(i))).subtract(uy.multiply(minus(p.x(jj), p.x(i))));
-    BigDecimal t = here.divide(here.subtract(there), MathContext.DECIMAL128);
-    double x = new BigDecimal(p.x(j)).add(t.multiply(vx)).doubleValue();
-    double y = new BigDecimal(p.y(j)).add(t.multiply(vy)).doubleValue();
-    double size = Math.max(Math.abs(p.x(i) / 2 - p.x(ii) / 2), Math.abs(p.y(i) / 2 - p.y(ii) / 2));
-    double tolerance = 1e-9 * size + Math.ulp(x) + Math.ulp(y);
-    assertThat(d.x()).as("x of %s, %s", d, what).isCloseTo(x, within(tolerance));
-    assertThat(d.y()).as("y of %s, %s", d, what).isCloseTo(y, within(tolerance));
+    BigDecimal whole = here.subtract(there);
+    checkCoordinate(d.x(), p.x(j), vx, here, whole, "x of " + d + ", " + what);
+    checkCoordinate(d.y(), p.y(j), vy, here, whole, "y of " + d + ", " + what);
+  }
+
+  /** Against from + step · part / whole, to the last digit but one. */
+  private static void checkCoordinate(
+      double actual, double from, BigDecimal step, BigDecimal part, BigDecimal whole, String what) {
+    BigDecimal sum = new BigDecimal(from).multiply(whole).add(step.multiply(part));
+    double expected = sum.divide(whole, MathContext.DECIMAL128).doubleValue();
+    assertThat(actual).as(what).isCloseTo(expected, within(2 * Math.ulp(expected)));
   }
 
   private static BigDecimal minus(double a, double b) {
