@@ -52,6 +52,9 @@ public final class CommandLineProgram {
   }
 
   private int run(String... arguments) {
+    if (arguments.length > 0 && !isVerb(arguments[0]) && !arguments[0].startsWith("-")) {
+      return wrongUsage(arguments[0] + " is neither a verb nor a file", "dct");
+    }
     try {
       int status = commandLine(arguments).execute(arguments);
       return status == DONE ? flushed() : status;
@@ -111,7 +114,10 @@ public final class CommandLineProgram {
   }
 
   private int wrongUsage(String message, CommandLine command) {
-    String name = command.getCommandSpec().qualifiedName();
+    return wrongUsage(message, command.getCommandSpec().qualifiedName());
+  }
+
+  private int wrongUsage(String message, String name) {
     String oneLine = message.lines().findFirst().orElse("wrong usage");
     console.err().println(name + ": " + oneLine + "; see " + name + " --help");
     return WRONG_USAGE;

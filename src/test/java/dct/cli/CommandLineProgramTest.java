@@ -48,7 +48,7 @@ class CommandLineProgramTest {
       delimiter = '|',
       value = {
         "'' | dct: a verb is missing; see dct --help",
-        "frobnicate | dct: Unmatched argument at index 0: 'frobnicate'; see dct --help",
+        "frobnicate | dct: frobnicate is neither a verb nor a file; see dct --help",
         "triangulate | dct triangulate: Missing required parameter: 'INPUT';"
             + " see dct triangulate --help",
         "triangulate a b | dct triangulate: Unmatched argument at index 2: 'b';"
