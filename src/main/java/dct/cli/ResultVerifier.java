@@ -245,7 +245,7 @@ final class ResultVerifier {
 
   private void checkBound() {
     long bound = whole("oddLowerBound");
-    BoundVerifier verifier = new BoundVerifier(stored, domain, boundary, bound);
+    BoundVerifier verifier = new BoundVerifier(stored, domain, boundary, bound, graph::degree);
     verifier
         .lie()
         .ifPresent(
@@ -253,7 +253,10 @@ final class ResultVerifier {
               throw lie(text);
             });
     remark = verifier.remark();
-    boolean optimal = whole("odd") == bound;
+    boolean optimal =
+        verifier.isForWishes()
+            ? whole("unsatisfied") == whole("unsatisfiedLowerBound")
+            : whole("odd") == bound;
     check(
         stored.flag("optimal").equals(Optional.of(optimal)),
         "the field \"optimal\" is not " + optimal);

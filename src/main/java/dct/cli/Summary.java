@@ -1,6 +1,8 @@
 package dct.cli;
 
 import dct.core.degree.DegreeCount;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.io.Result;
@@ -47,10 +49,30 @@ final class Summary {
   }
 
   private static String bound(Result result) {
+    if (result.optimum().isPresent()) {
+      return bound(result.optimum().get());
+    }
     if (result.isOptimal()) {
       return "; no triangulation has fewer odd vertices";
     }
     int bound = result.oddLowerBound();
     return bound == 0 ? "" : "; every triangulation has " + bound + " or more odd vertices";
+  }
+
+  private static String bound(Optimum best) {
+    String wishes =
+        best.goal().isAll(ParityGoal.Wish.EVEN)
+            ? ""
+            : "; %d of %d wishes granted"
+                .formatted(best.goal().size() - best.unsatisfied(), best.goal().size());
+    String proof =
+        best.isProven()
+            ? "; optimal (%s)".formatted(best.bound().reason())
+            : "; the best found%s, at least %d are unavoidable (%s)"
+                .formatted(
+                    best.interrupted() ? " in time" : "",
+                    best.bound().value(),
+                    best.bound().reason());
+    return wishes + proof;
   }
 }

@@ -2,6 +2,7 @@ package dct.cli;
 
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
 import dct.core.degree.ScanFlip;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
@@ -23,6 +24,7 @@ final class TriangulateCommand extends Verb {
           "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points delaunay"
               + " (default and only).");
   private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
+  private final OptimizeParameters optimize = new OptimizeParameters(this);
   private final OptionSpec output =
       outputs(
           false,
@@ -44,6 +46,7 @@ final class TriangulateCommand extends Verb {
     if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
+    optimize.check(isSet(flip));
     ResultOutput made = make();
     for (String file : outputs) {
       made.write(file, console());
@@ -64,13 +67,18 @@ final class TriangulateCommand extends Verb {
     Triangulation made = chosen.triangulate(shape);
     double triangulate = watch.lap();
     Optional<FlipResult> flipped = isSet(flip) ? Optional.of(ScanFlip.run(made)) : Optional.empty();
-    double post = flipped.isPresent() ? watch.lap() : 0;
+    Optional<Optimum> best =
+        optimize.isAsked() ? Optional.of(optimize.optimize(shape, made)) : Optional.empty();
+    double post = flipped.isPresent() || best.isPresent() ? watch.lap() : 0;
     Result result =
         new Result(
             input.name(),
             chosen.word(),
-            flipped.map(FlipResult::after).orElse(made),
+            best.map(Optimum::triangulation)
+                .or(() -> flipped.map(FlipResult::after))
+                .orElse(made),
             flipped.map(TriangulateCommand::post),
+            best,
             shape.merged(),
             new Result.Millis(read, triangulate, post));
     return new ResultOutput(result, flipped);

@@ -1,6 +1,8 @@
 package dct.io;
 
 import dct.core.degree.DegreeCount;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Triangulation;
 import java.util.Optional;
 
@@ -10,7 +12,8 @@ import java.util.Optional;
  * @param input the name of the input as the user gave it
  * @param algorithm the name of the algorithm that made the triangulation
  * @param triangulation the final triangulation
- * @param post what was done after the algorithm, if anything
+ * @param post the flips that were made after the algorithm, if any were asked for
+ * @param optimum what the optimizer found, if it was asked for; its triangulation is the final one
  * @param merged how many exact duplicates among the sites were merged
  * @param millis how long the steps took
  */
@@ -19,6 +22,7 @@ public record Result(
     String algorithm,
     Triangulation triangulation,
     Optional<Post> post,
+    Optional<Optimum> optimum,
     int merged,
     Millis millis) {
 
@@ -47,7 +51,23 @@ public record Result(
    * number is divisible by three. The number of odd vertices is always even.
    */
   public int oddLowerBound() {
-    return oddLowerBound(triangulation.boundaryCount());
+    return evenOptimum()
+        .map(best -> best.bound().value())
+        .orElseGet(() -> oddLowerBound(triangulation.boundaryCount()));
+  }
+
+  /** Why {@link #oddLowerBound()} holds, where it may rest on more than the boundary count. */
+  public Optional<String> boundReason() {
+    return evenOptimum().map(best -> best.bound().reason());
+  }
+
+  private Optional<Optimum> evenOptimum() {
+    return optimum.filter(best -> best.goal().isAll(ParityGoal.Wish.EVEN));
+  }
+
+  /** What the optimizer found for wishes other than all even. */
+  public Optional<Optimum> wished() {
+    return optimum.filter(best -> !best.goal().isAll(ParityGoal.Wish.EVEN));
   }
 
   /** {@link #oddLowerBound()} for this many vertices on the boundary. */
@@ -55,8 +75,11 @@ public record Result(
     return boundary % 3 == 0 ? 0 : 2;
   }
 
-  /** Whether the result is proven to have the fewest odd vertices that there can be. */
+  /**
+   * Whether the result is proven to be the best: to have the fewest odd vertices that there can be,
+   * or, where the optimizer was asked for other parities, to leave the fewest wishes open.
+   */
   public boolean isOptimal() {
-    return degrees().odd() == oddLowerBound();
+    return wished().map(Optimum::isProven).orElseGet(() -> degrees().odd() == oddLowerBound());
   }
 }

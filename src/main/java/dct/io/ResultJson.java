@@ -3,6 +3,7 @@ package dct.io;
 import com.google.gson.FormattingStyle;
 import com.google.gson.stream.JsonWriter;
 import dct.core.degree.DegreeCount;
+import dct.core.degree.Optimum;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
@@ -139,7 +140,7 @@ public final class ResultJson {
     json.name("input").value(result.input());
     json.name("kind").value(DomainWord.of(triangulation.domain()));
     json.name("algorithm").value(result.algorithm());
-    json.name("post").value(result.post().map(Result.Post::name).orElse("none"));
+    json.name("post").value(post(result));
     json.name("vertices").value(triangulation.vertexCount());
     json.name("edges").value(triangulation.edgeCount());
     json.name("triangles").value(triangulation.triangleCount());
@@ -151,8 +152,29 @@ public final class ResultJson {
     }
     json.name("oddLowerBound").value(result.oddLowerBound());
     json.name("optimal").value(result.isOptimal());
+    if (result.optimum().isPresent()) {
+      optimumFields(result);
+    }
     json.name("merged").value(result.merged());
     millis(result.millis());
+  }
+
+  private static String post(Result result) {
+    return result.optimum().isPresent()
+        ? "optimize"
+        : result.post().map(Result.Post::name).orElse("none");
+  }
+
+  private void optimumFields(Result result) throws IOException {
+    Optimum optimum = result.optimum().get();
+    json.name("boundReason").value(optimum.bound().reason());
+    json.name("interrupted").value(optimum.interrupted());
+    if (result.wished().isPresent()) {
+      json.name("satisfied").value(optimum.goal().size() - optimum.unsatisfied());
+      json.name("unsatisfied").value(optimum.unsatisfied());
+      json.name("unsatisfiedLowerBound").value(optimum.bound().value());
+      json.name("wishes").value(WishLetters.of(optimum.goal()));
+    }
   }
 
   private void postFields(Result.Post post) throws IOException {

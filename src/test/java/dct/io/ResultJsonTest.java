@@ -34,7 +34,7 @@ class ResultJsonTest {
     dcel.splitFace(dcel.outEdge(0), dcel.outEdge(2));
     Triangulation triangulation =
         new Triangulation(Domain.POLYGON, SQUARE, dcel, edge -> EdgeKind.FLIPPED);
-    return new Result("a \"b\".txt", "monotone", triangulation, post, 0, MILLIS);
+    return new Result("a \"b\".txt", "monotone", triangulation, post, Optional.empty(), 0, MILLIS);
   }
 
   private static StoredResult read(String text) throws IOException {

@@ -1,0 +1,89 @@
+package dct.cli;
+
+import dct.core.Progress;
+import dct.core.degree.BestTriangulation;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import dct.io.WishFile;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** What the user wishes of the degrees, and how long to look for it. */
+final class OptimizeParameters {
+  private final OptionSpec goal;
+  private final OptionSpec timeLimit;
+  private final OptionSpec seed;
+
+  /** Declares them. */
+  OptimizeParameters(Verb verb) {
+    goal =
+        verb.option(
+            "--optimize",
+            "even|odd|FILE",
+            String.class,
+            "Find the triangulation with the most even, or odd, vertices; or, with a file that has a"
+                + " line \"v even|odd|any\" for each vertex that shall not be even, the one that"
+                + " grants the most wishes.");
+    timeLimit =
+        verb.option(
+            "--time-limit",
+            "S",
+            Double.class,
+            "With --optimize: return the best found after so many seconds.");
+    seed =
+        verb.option(
+            "--seed", "N", Long.class, "With --optimize: the seed of its random choices, 1 if absent.");
+  }
+
+  /** Whether the user asked for it. */
+  boolean isAsked() {
+    return goal.getValue() != null;
+  }
+
+  /**
+   * Sees that the options go together.
+   *
+   * @throws UsageException if they do not
+   */
+  void check(boolean flip) {
+    if (isAsked() && flip) {
+      throw new UsageException("--flip and --optimize exclude each other, leave one out");
+    }
+    if (!isAsked() && (timeLimit.getValue() != null || seed.getValue() != null)) {
+      throw new UsageException("--time-limit and --seed belong to --optimize, which is missing");
+    }
+    Double seconds = timeLimit.getValue();
+    if (seconds != null && !(seconds >= 0)) {
+      throw new UsageException("--time-limit is a number of seconds, 0 or more");
+    }
+  }
+
+  /** The best triangulation of the shape, from this one. */
+  Optimum optimize(Shape shape, Triangulation made) {
+    ParityGoal wished = wished(made.vertexCount());
+    return shape.domain() == Domain.POLYGON
+        ? BestTriangulation.of(shape.polygon(), wished, limits(), Progress.NONE)
+        : BestTriangulation.of(made, wished, limits(), Progress.NONE);
+  }
+
+  private ParityGoal wished(int n) {
+    String word = goal.getValue();
+    return switch (word) {
+      case "even" -> ParityGoal.allEven(n);
+      case "odd" -> ParityGoal.allOdd(n);
+      default -> WishFile.read(InputParameters.path(word), n);
+    };
+  }
+
+  private SearchLimits limits() {
+    SearchLimits usual = SearchLimits.DEFAULT;
+    Long number = seed.getValue();
+    Double seconds = timeLimit.getValue();
+    return new SearchLimits(
+        number == null ? usual.seed() : number,
+        usual.effort(),
+        seconds == null ? usual.seconds() : seconds);
+  }
+}

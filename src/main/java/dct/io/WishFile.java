@@ -1,0 +1,80 @@
+package dct.io;
+
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Wished parities: a file with a line {@code v even|odd|any} for each vertex that shall not be even.
+ * Blank lines and comments after {@code #} are skipped; of two lines for one vertex the last counts.
+ */
+public final class WishFile {
+  private static final String FORM = "write a vertex number and even, odd or any";
+
+  private WishFile() {}
+
+  /**
+   * Reads the wishes for n vertices.
+   *
+   * @throws BadInputException if the file cannot be read, a line is not of that form, or a vertex
+   *     does not exist
+   */
+  public static ParityGoal read(Path file, int n) {
+    return PointFile.open(file, (name, in) -> read(name, in, n));
+  }
+
+  private static ParityGoal read(String name, InputStream in, int n) throws IOException {
+    Wish[] wishes = new Wish[n];
+    Arrays.fill(wishes, Wish.EVEN);
+    BufferedReader reader = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+    int line = 0;
+    for (String text = reader.readLine(); text != null; text = reader.readLine()) {
+      line++;
+      String content = withoutComment(text);
+      if (!content.isEmpty()) {
+        readLine(name, line, content, wishes);
+      }
+    }
+    return ParityGoal.of(wishes);
+  }
+
+  private static String withoutComment(String text) {
+    int comment = text.indexOf('#');
+    return (comment < 0 ? text : text.substring(0, comment)).replace("\uFEFF", "").strip();
+  }
+
+  private static void readLine(String name, int line, String content, Wish[] wishes) {
+    int gap = 0;
+    while (gap < content.length() && Character.isDigit(content.charAt(gap))) {
+      gap++;
+    }
+    Optional<Wish> wish = word(content.substring(gap).strip());
+    if (gap == 0 || gap > 9 || wish.isEmpty()) {
+      throw new BadInputException(name, line, "this is no wish for a vertex; " + FORM);
+    }
+    int vertex = Integer.parseInt(content.substring(0, gap));
+    if (vertex >= wishes.length) {
+      throw new BadInputException(
+          name,
+          line,
+          "there is no vertex %d, the last one is %d; correct the number"
+              .formatted(vertex, wishes.length - 1));
+    }
+    wishes[vertex] = wish.get();
+  }
+
+  /** The wish that a word stands for. */
+  static Optional<Wish> word(String word) {
+    return Arrays.stream(Wish.values())
+        .filter(wish -> wish.name().toLowerCase(Locale.ROOT).equals(word))
+        .findFirst();
+  }
+}
