@@ -18,8 +18,8 @@ import java.util.function.IntUnaryOperator;
  *
  * <p>Without a reason the bound must be that of the boundary count modulo 3. With one it is
  * computed again from the points alone; where that is not possible in reasonable time, the remark
- * says so. Where the file holds wishes, the granted ones are counted and the bound on the missed ones
- * is recomputed in the same way.
+ * says so. Where the file holds wishes, the granted ones are counted and the bound on the missed
+ * ones is recomputed in the same way.
  */
 final class BoundVerifier {
   private final StoredResult stored;
@@ -86,8 +86,7 @@ final class BoundVerifier {
     Optional<String> count = claim("unsatisfied", missed).or(() -> claim("satisfied", granted));
     return count.isPresent()
         ? count
-        : recomputed(
-            "unsatisfied", goal.get(), stored.whole("unsatisfiedLowerBound").orElse(-1));
+        : recomputed("unsatisfied", goal.get(), stored.whole("unsatisfiedLowerBound").orElse(-1));
   }
 
   private Optional<String> claim(String field, long truth) {
@@ -106,7 +105,7 @@ final class BoundVerifier {
     long present = stored.whole(counts).orElse(0);
     String field = "\"" + counts + "LowerBound\"";
     if (bound < 0 || bound > present) {
-      String text = "the field %s says %d, but %d vertices are %s here";
+      String text = "the field %s says %d, but %d %s vertices are here";
       return Optional.of(text.formatted(field, bound, present, counts));
     }
     BoundCheck check = check(goal, (int) bound);

@@ -34,7 +34,10 @@ final class OptimizeParameters {
             "With --optimize: return the best found after so many seconds.");
     seed =
         verb.option(
-            "--seed", "N", Long.class, "With --optimize: the seed of its random choices, 1 if absent.");
+            "--seed",
+            "N",
+            Long.class,
+            "With --optimize: the seed of its random choices, 1 if absent.");
   }
 
   /** Whether the user asked for it. */

@@ -74,9 +74,7 @@ final class TriangulateCommand extends Verb {
         new Result(
             input.name(),
             chosen.word(),
-            best.map(Optimum::triangulation)
-                .or(() -> flipped.map(FlipResult::after))
-                .orElse(made),
+            best.map(Optimum::triangulation).or(() -> flipped.map(FlipResult::after)).orElse(made),
             flipped.map(TriangulateCommand::post),
             best,
             shape.merged(),

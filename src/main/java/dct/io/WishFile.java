@@ -13,8 +13,9 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Wished parities: a file with a line {@code v even|odd|any} for each vertex that shall not be even.
- * Blank lines and comments after {@code #} are skipped; of two lines for one vertex the last counts.
+ * Wished parities: a file with a line {@code v even|odd|any} for each vertex that shall not be
+ * even. Blank lines and comments after {@code #} are skipped; of two lines for one vertex the last
+ * counts.
  */
 public final class WishFile {
   private static final String FORM = "write a vertex number and even, odd or any";
