@@ -23,6 +23,11 @@ final class HullWalk {
     Arrays.fill(cost, UNREACHED);
   }
 
+  /** The number of states of one apex. */
+  int layers() {
+    return layers;
+  }
+
   /** Lets the walk start on the edge before a fan's hub with any apex. */
   void startAnywhere(EmptyFan fan) {
     for (int place = fan.firstPartner(fan.size() - 1); place < fan.triangles(); place++) {

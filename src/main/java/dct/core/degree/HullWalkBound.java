@@ -47,13 +47,22 @@ final class HullWalkBound {
   }
 
   /**
-   * The bound, rounded up; or some number up to {@code known} if it is no better than that.
+   * The bound of the closed walk, rounded up; or some number up to {@code known} if it is no better
+   * than that.
    *
-   * @return empty if there are too many sites for the walk and for the strips
+   * @return empty if that is too much to compute
    */
-  static Optional<LowerBound> of(HullRing ring, ParityGoal goal, int known) {
-    HullWalkBound bound = new HullWalkBound(ring, goal, known);
-    return bound.closedWalk().or(bound::strips);
+  static Optional<LowerBound> ofWalk(HullRing ring, ParityGoal goal, int known) {
+    return new HullWalkBound(ring, goal, known).closedWalk();
+  }
+
+  /**
+   * The bound of the strips, rounded up.
+   *
+   * @return empty if that is too much to compute
+   */
+  static Optional<LowerBound> ofStrips(HullRing ring, ParityGoal goal) {
+    return new HullWalkBound(ring, goal, 0).strips();
   }
 
   private boolean isCheap(int hullVertices) {
@@ -86,26 +95,25 @@ final class HullWalkBound {
     boolean canColour = BoundaryColouring.areInnerEven(ring, goal);
     boolean isAllOnHull = ring.interior() == 0;
     Walks walks = new Walks(fans);
-    if (!walks.areCheap()) {
-      return Optional.empty();
-    }
-    if (canColour && isAllOnHull) {
-      return Optional.of(handshake.roundUp(walks.least(true, known)));
-    }
+    int least = isAllOnHull && canColour ? walks.least(true, known) : leastOf(walks, canColour);
+    return walks.gaveUp() ? Optional.empty() : Optional.of(handshake.roundUp(least));
+  }
+
+  private int leastOf(Walks walks, boolean canColour) {
     // A plain walk of this cost decides, unless the colours can add one to it.
     int plain = walks.least(false, canColour ? known - 1 : known);
-    int oneInside = handshake.roundUp(plain + 1);
-    if (!canColour || oneInside <= known) {
-      return Optional.of(handshake.roundUp(plain));
+    if (!canColour || handshake.roundUp(plain + 1) <= known) {
+      return plain;
     }
     int coloured = walks.least(true, Math.max(known, handshake.roundUp(plain)));
-    return Optional.of(handshake.roundUp(Math.min(coloured, plain + 1)));
+    return Math.min(coloured, plain + 1);
   }
 
   /** All closed walks over one set of fans. */
   private final class Walks {
     private final EmptyFan[] fans;
     private int first; // the walk starts on the edge before this position
+    private long steps; // triangles and layers walked past
 
     Walks(EmptyFan[] fans) {
       this.fans = fans;
@@ -118,12 +126,9 @@ final class HullWalkBound {
       return fans[k].triangles() - fans[k].firstPartner(fans[k].size() - 1);
     }
 
-    boolean areCheap() {
-      long steps = 0;
-      for (EmptyFan fan : fans) {
-        steps += fan.triangles();
-      }
-      return steps * apexes(first) <= MOST_STEPS;
+    /** Whether the walks so far were too many, so that what they found is no bound. */
+    boolean gaveUp() {
+      return steps > MOST_STEPS;
     }
 
     /** The least cost, or the first found that is no better than {@code enough} once rounded up. */
@@ -132,7 +137,7 @@ final class HullWalkBound {
       HullWalk walk = new HullWalk(goal.size(), coloured);
       int least = HullWalk.UNREACHED;
       int place = fan.firstPartner(fan.size() - 1);
-      while (place < fan.triangles() && handshake.roundUp(least) > enough) {
+      while (place < fan.triangles() && handshake.roundUp(least) > enough && !gaveUp()) {
         least = Math.min(least, closed(walk, fan.site(fan.partner(place))));
         place++;
       }
@@ -144,6 +149,7 @@ final class HullWalkBound {
       for (int k = first; k < first + fans.length; k++) {
         int position = k % fans.length;
         walk.pass(fans[position], goal.wish(ring.site(position)));
+        steps += walk.layers() * (long) fans[position].triangles();
       }
       return walk.costAt(apex);
     }

@@ -3,6 +3,7 @@ package dct.core.degree;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import java.util.Optional;
 
 /**
  * The best lower bound known for the number of sites that miss their wished parity in any
@@ -85,9 +86,10 @@ public final class SiteBounds {
   }
 
   private void walk() {
-    HullWalkBound.of(ring, goal, best.value())
-        .ifPresentOrElse(this::improve, () -> best = notWalked(best));
+    Optional<LowerBound> walked = HullWalkBound.ofWalk(ring, goal, best.value());
+    walked.or(() -> HullWalkBound.ofStrips(ring, goal)).ifPresent(this::improve);
     improve(ThreeHullSites.of(ring, goal, goal.isAll(Wish.EVEN) ? best.value() : 0));
+    best = walked.isPresent() ? best : notWalked(best);
   }
 
   private static LowerBound notWalked(LowerBound bound) {

@@ -111,8 +111,9 @@ class SiteBoundsTest {
     }
     HullRing ring = HullRing.of(delaunay(pairs));
     assertThat(ring.size()).isEqualTo(n);
-    LowerBound strips = HullWalkBound.of(ring, ParityGoal.allEven(n), 0).orElseThrow();
-    assertThat(strips.reason()).isEqualTo("strips along the hull");
+    ParityGoal goal = ParityGoal.allEven(n);
+    assertThat(HullWalkBound.ofWalk(ring, goal, 0)).isEmpty();
+    assertThat(HullWalkBound.ofStrips(ring, goal)).isPresent();
   }
 
   @Test

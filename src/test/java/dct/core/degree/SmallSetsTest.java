@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Bounds and exact optima of small sets against all their triangulations. */
 class SmallSetsTest {
-  private static final int SEEDS = 18;
+  private static final int SEEDS = 14;
   private static final int MOST = 9;
 
   private static List<Family> families() {
@@ -45,11 +45,20 @@ class SmallSetsTest {
       LowerBound bound = SiteBounds.of(start, goal);
       assertThat(bound.value()).as("%s: %s", what, bound).isLessThanOrEqualTo(least);
       assertThat(SiteBounds.quick(start, goal).value()).as(what).isBetween(0, bound.value());
+      if (start.triangleCount() > 0) {
+        checkStrips(HullRing.of(start), goal, least, what);
+      }
       Optimum optimum = ExactSites.optimize(start, goal, Progress.NONE);
       TriangulationAssert.assertThat(optimum.triangulation()).isTriangulationOf(sites);
       assertThat(goal.unsatisfied(optimum.triangulation())).as(what).isEqualTo(least);
       assertThat(optimum.isProven()).as(what).isTrue();
     }
+  }
+
+  private static void checkStrips(HullRing ring, ParityGoal goal, int least, String what) {
+    int strips = HullWalkBound.ofStrips(ring, goal).orElseThrow().value();
+    int walk = HullWalkBound.ofWalk(ring, goal, -1).orElseThrow().value();
+    assertThat(walk).as("walk, %s", what).isBetween(strips, least);
   }
 
   private static List<ParityGoal> goals(Triangulation start, Random random) {
