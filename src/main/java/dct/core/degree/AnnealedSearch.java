@@ -32,6 +32,7 @@ final class AnnealedSearch {
   private long cycle; // steps of this cycle
   private long step; // of this cycle
   private double z;
+  private double zOnHull;
 
   /**
    * How one search goes about it.
@@ -42,9 +43,11 @@ final class AnnealedSearch {
    * @param anywhere the share of regions that are anywhere, not near an unsatisfied vertex
    * @param cycle the steps of the first cycle
    * @param growth the ratio of a cycle to the one before it
+   * @param hullPower the factor of an unsatisfied vertex on the hull is z to this power: below 1,
+   *     unsatisfied vertices pass more easily along the hull
    */
   record Schedule(
-      int largest, double highest, double lowest, double anywhere, int cycle, int growth) {}
+      int largest, double highest, double lowest, double anywhere, int cycle, int growth, double hullPower) {}
 
   /** A search on a copy of this mesh. */
   AnnealedSearch(SearchMesh start, SearchRandom random, SearchClock clock, Schedule schedule) {
@@ -104,6 +107,7 @@ final class AnnealedSearch {
     if (step % COOL_EVERY == 0) {
       double fall = schedule.lowest() / schedule.highest();
       z = schedule.highest() * Math.pow(fall, (double) step / cycle);
+      zOnHull = Math.pow(z, schedule.hullPower());
     }
     step++;
   }
@@ -116,7 +120,7 @@ final class AnnealedSearch {
     if (region.open(e)) {
       // Small regions more often: the cost of one grows with the third power of its size.
       region.grow(SMALLEST + random.below(random.below(schedule.largest() - SMALLEST) + 1));
-      region.fillAtRandom(z);
+      region.fillAtRandom(z, zOnHull);
       for (int i = 0; i < region.size(); i++) {
         update(region.vertex(i));
       }

@@ -18,14 +18,15 @@ import java.util.function.IntFunction;
 final class AnnealedTeam {
   private static final List<Schedule> SCHEDULES =
       List.of(
-          new Schedule(20, 0.05, 0.002, 0, 100_000, 1),
-          new Schedule(16, 0.3, 0.003, 0.5, 200_000, 2),
-          new Schedule(30, 0.1, 0.003, 0, 200_000, 2),
-          new Schedule(12, 0.05, 0.01, 0.1, 50_000, 1));
+          new Schedule(48, 0.05, 0.003, 0, 100_000, 1, 1),
+          new Schedule(20, 0.1, 0.002, 0.1, 20_000, 1, 0.7),
+          new Schedule(14, 0.04, 0.015, 0.2, 30_000, 1, 1),
+          new Schedule(28, 0.1, 0.003, 0.05, 100_000, 2, 0.8));
   private static final int EPOCH = 10_000; // steps between two comparisons
   private static final int EXCHANGE = 20; // epochs between two exchanges
   private static final int BEHIND = 4; // more unsatisfied vertices than the best
   private static final double MOST_EPOCHS = 300;
+  private static final double EPOCHS_PER_SITE = 2;
 
   private final List<AnnealedSearch> team;
   private final SearchClock clock;
@@ -45,7 +46,7 @@ final class AnnealedTeam {
 
   /** Searches until no more than {@code enough} are unsatisfied, or as long as effort says. */
   void run(int enough, double effort) {
-    double epochs = effort * Math.min(MOST_EPOCHS, sites);
+    double epochs = effort * Math.min(MOST_EPOCHS, EPOCHS_PER_SITE * sites);
     for (int i = 1; i <= epochs && best.unsatisfied() > enough && !clock.isOver(); i++) {
       team.parallelStream().forEach(search -> search.run(enough, EPOCH));
       best = Collections.min(team, comparingInt(AnnealedSearch::unsatisfied));

@@ -178,20 +178,29 @@ final class MeshRegion {
   }
 
   /**
-   * Closes the region with a triangulation drawn at random, each in proportion to z to the power of
-   * its unsatisfied vertices.
+   * Closes the region with a triangulation drawn at random, each in proportion to the product of a
+   * factor for each of its unsatisfied vertices.
    *
+   * @param inside the factor of one inside the hull
+   * @param onHull the factor of one on the hull
    * @return by how much the number of unsatisfied vertices grew
    */
-  int fillAtRandom(double z) {
+  int fillAtRandom(double inside, double onHull) {
     for (int i = 0; i < size; i++) {
-      double factor = mesh.weight[ring[i]] == 0 ? 1 : z;
+      double factor = factor(ring[i], inside, onHull);
       boolean isWrong = mesh.wrong[ring[i]] != 0;
       sampler.even[i] = isWrong ? factor : 1;
       sampler.odd[i] = isWrong ? 1 : factor;
     }
     locate();
     return rewrite(true, sampler.draw(px, py, size));
+  }
+
+  private double factor(int v, double inside, double onHull) {
+    if (mesh.weight[v] == 0) {
+      return 1;
+    }
+    return mesh.hull[v] ? onHull : inside;
   }
 
   private void setCost(int i, int cost) {
