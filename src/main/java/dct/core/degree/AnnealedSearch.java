@@ -47,7 +47,13 @@ final class AnnealedSearch {
    *     unsatisfied vertices pass more easily along the hull
    */
   record Schedule(
-      int largest, double highest, double lowest, double anywhere, int cycle, int growth, double hullPower) {}
+      int largest,
+      double highest,
+      double lowest,
+      double anywhere,
+      int cycle,
+      int growth,
+      double hullPower) {}
 
   /** A search on a copy of this mesh. */
   AnnealedSearch(SearchMesh start, SearchRandom random, SearchClock clock, Schedule schedule) {
