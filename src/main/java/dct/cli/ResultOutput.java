@@ -39,6 +39,9 @@ record ResultOutput(Result result, Optional<FlipResult> flipped) {
   }
 
   private Scene scene() {
-    return flipped.map(Scene::of).orElseGet(() -> Scene.of(result.triangulation()));
+    return flipped
+        .map(Scene::of)
+        .or(() -> result.optimum().map(Scene::of))
+        .orElseGet(() -> Scene.of(result.triangulation()));
   }
 }

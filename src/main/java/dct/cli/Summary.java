@@ -65,14 +65,6 @@ final class Summary {
             ? ""
             : "; %d of %d wishes granted"
                 .formatted(best.goal().size() - best.unsatisfied(), best.goal().size());
-    String proof =
-        best.isProven()
-            ? "; optimal (%s)".formatted(best.bound().reason())
-            : "; the best found%s, at least %d are unavoidable (%s)"
-                .formatted(
-                    best.interrupted() ? " in time" : "",
-                    best.bound().value(),
-                    best.bound().reason());
-    return wishes + proof;
+    return wishes + "; " + best.verdict();
   }
 }

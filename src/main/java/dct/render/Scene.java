@@ -2,6 +2,7 @@ package dct.render;
 
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
@@ -65,6 +66,13 @@ public final class Scene {
         List.of(
             "Before: " + words(DegreeCount.of(result.before())),
             "After: " + words(DegreeCount.of(result.after()))));
+  }
+
+  /** The best triangulation found, with its counts and what is proven of them. */
+  public static Scene of(Optimum best) {
+    Triangulation triangulation = best.triangulation();
+    String counts = words(DegreeCount.of(triangulation));
+    return of(triangulation, List.of(counts + " — " + best.verdict()));
   }
 
   private static Scene of(Triangulation triangulation, List<String> counts) {

@@ -21,6 +21,7 @@ final class MainCommands {
   private final Map<Domain, Command> applications = new EnumMap<>(Domain.class);
   private final Map<Tool, Command> tools = new LinkedHashMap<>();
   private final Map<PolygonMethod, Command> methods = new EnumMap<>(PolygonMethod.class);
+  private final List<Command> goals = new ArrayList<>();
   private final Command undo;
   private final Command redo;
   private final Command clear;
@@ -44,6 +45,7 @@ final class MainCommands {
     addApplications();
     addTools();
     addMethods();
+    addGoals();
     addConditions();
   }
 
@@ -93,6 +95,14 @@ final class MainCommands {
     }
   }
 
+  private void addGoals() {
+    for (MostVertices most : MostVertices.values()) {
+      goals.add(
+          add(most.title(), most.key(), most.description(), () -> optimize(most))
+              .enabledWhen(() -> workbench.domain().isPresent()));
+    }
+  }
+
   private void addConditions() {
     undo.enabledWhen(() -> workbench.active().flatMap(e -> e.history().undoLabel()).isPresent())
         .named(() -> "Undo" + label(workbench.active().flatMap(e -> e.history().undoLabel())));
@@ -138,6 +148,19 @@ final class MainCommands {
     } else {
       sites.flip();
     }
+  }
+
+  private void optimize(MostVertices most) {
+    if (isChosen(Domain.POLYGON)) {
+      polygons.optimize(most);
+    } else {
+      sites.optimize(most);
+    }
+  }
+
+  /** The commands that find the best triangulation for a goal. */
+  List<Command> goals() {
+    return goals;
   }
 
   Map<Domain, Command> applications() {

@@ -24,7 +24,7 @@ final class MainMenu {
     this.canvas = canvas;
     this.files = files;
     this.commands = commands;
-    menus = List.of(file(), edit(), triangulation(), ViewMenu.of(canvas), help());
+    menus = List.of(file(), edit(), triangulate(), ViewMenu.of(canvas), help());
     menus.forEach(bar::add);
   }
 
@@ -83,8 +83,8 @@ final class MainMenu {
     return menu.line().with(commands.clear());
   }
 
-  private CommandMenu triangulation() {
-    CommandMenu menu = new CommandMenu("Triangulation");
+  private CommandMenu triangulate() {
+    CommandMenu menu = new CommandMenu("Triangulate");
     commands.applications().values().forEach(menu::with);
     Consumer<Command> add =
         command -> {
@@ -95,6 +95,8 @@ final class MainMenu {
     menu.line();
     commands.buttons().get(Domain.POLYGON).forEach(add);
     commands.buttons().get(Domain.SITES).forEach(add);
+    menu.line();
+    commands.goals().forEach(menu::with);
     return menu;
   }
 

@@ -1,8 +1,10 @@
 package dct.ui;
 
 import dct.core.Progress;
+import dct.core.degree.BestTriangulation;
 import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
@@ -57,6 +59,22 @@ final class PolygonResults {
         progress ->
             ScanFlip.run(from == null ? triangulation(document, by, progress) : from.triangulation),
         result -> showFlips(document, result, from == null ? owner : from.frame));
+  }
+
+  /** Shows the triangulation with the most vertices of this parity, or the best found on Cancel. */
+  void optimize(MostVertices most) {
+    Document document = document();
+    workbench
+        .jobs()
+        .submitSearch(
+            most.title(),
+            progress ->
+                BestTriangulation.of(
+                    SimplePolygon.of(document.points()),
+                    most.goal(document.size()),
+                    SearchLimits.DEFAULT,
+                    progress),
+            best -> show(document, best.triangulation(), Scene.of(best), most.title(), owner));
   }
 
   private Document document() {

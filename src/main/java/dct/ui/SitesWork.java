@@ -1,6 +1,8 @@
 package dct.ui;
 
+import dct.core.degree.BestTriangulation;
 import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.RandomSites;
@@ -42,6 +44,24 @@ final class SitesWork {
           .jobs()
           .submit("Perform Flip", progress -> ScanFlip.run(triangulation), editor::showFlips);
     }
+  }
+
+  /** Shows the triangulation with the most sites of this parity, or the best found on Cancel. */
+  void optimize(MostVertices most) {
+    Editor editor = workbench.editor(Domain.SITES);
+    Triangulation before = editor.shown().triangulation().orElse(null);
+    if (before == null) {
+      workbench.say("There is no triangulation to improve yet; draw three sites or more");
+      return;
+    }
+    workbench
+        .jobs()
+        .submitSearch(
+            most.title(),
+            progress ->
+                BestTriangulation.of(
+                    before, most.goal(before.vertexCount()), SearchLimits.DEFAULT, progress),
+            best -> editor.showOptimum(before, best));
   }
 
   /** Asks for a number and puts so many random sites in place of those there are. */

@@ -3,8 +3,12 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.degree.BestTriangulation;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -78,6 +82,24 @@ class SitesWindowTest extends WindowTest {
     clickAt(500, 400);
     requireShown(canvas(), delaunay(Points.ofPairs(SITES).removed(2)));
     assertThat(canvas().scene().counts()).hasSize(1);
+  }
+
+  @Test
+  void mostEvenVerticesShowsTheOptimumAndWhyItIsOne() {
+    draw();
+    type(KeyEvent.VK_E, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+    await("the optimum", () -> canvas().scene().counts().get(0).contains("— optimal ("));
+    requireShown(canvas(), optimum(ParityGoal.allEven(SITES.length / 2)).triangulation());
+    type(KeyEvent.VK_O, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+    int unsatisfied = optimum(ParityGoal.allOdd(SITES.length / 2)).unsatisfied();
+    await(
+        "the most odd sites",
+        () -> canvas().scene().counts().get(0).startsWith("Even " + unsatisfied + " "));
+  }
+
+  private static Optimum optimum(ParityGoal goal) {
+    Triangulation delaunay = delaunay(Points.ofPairs(SITES));
+    return BestTriangulation.of(delaunay, goal, SearchLimits.DEFAULT, Progress.NONE);
   }
 
   @Test

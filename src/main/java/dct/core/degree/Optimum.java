@@ -18,6 +18,18 @@ public record Optimum(
     LowerBound bound,
     boolean interrupted) {
 
+  /**
+   * What is known of how good it is, in a clause for a person: {@code optimal (12 hull sites, 12 ≡
+   * 0 mod 3)}.
+   */
+  public String verdict() {
+    if (isProven()) {
+      return "optimal (" + bound.reason() + ")";
+    }
+    return "best found%s; %d or more cannot be avoided (%s)"
+        .formatted(interrupted ? " so far" : "", bound.value(), bound.reason());
+  }
+
   /** Whether no triangulation can satisfy more: the bound is attained. */
   public boolean isProven() {
     return unsatisfied == bound.value();

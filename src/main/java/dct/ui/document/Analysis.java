@@ -2,6 +2,7 @@ package dct.ui.document;
 
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
@@ -84,6 +85,11 @@ public final class Analysis {
   /** This analysis with the triangulation of the sites after flips. */
   public Analysis flipped(FlipResult result) {
     return new Analysis(document, Optional.of(result.after()), List.of(), Scene.of(result));
+  }
+
+  /** This analysis with the best triangulation of the sites that was found. */
+  public Analysis optimized(Optimum best) {
+    return new Analysis(document, Optional.of(best.triangulation()), List.of(), Scene.of(best));
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */

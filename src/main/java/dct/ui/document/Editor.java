@@ -2,8 +2,10 @@ package dct.ui.document;
 
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
 import dct.ui.job.Jobs;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -147,6 +149,14 @@ public final class Editor {
   public void showFlips(FlipResult result) {
     if (shown.triangulation().filter(t -> t == result.before()).isPresent()) {
       shown = shown.flipped(result);
+      changed();
+    }
+  }
+
+  /** Shows the best triangulation found, unless the sites have changed since the search began. */
+  public void showOptimum(Triangulation before, Optimum best) {
+    if (shown.triangulation().filter(t -> t == before).isPresent()) {
+      shown = shown.optimized(best);
       changed();
     }
   }

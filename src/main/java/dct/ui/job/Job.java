@@ -14,14 +14,16 @@ final class Job<T> implements Runnable, Progress {
   private final String what;
   private final Function<Progress, T> work;
   private final Consumer<T> done;
+  private final boolean isSearch; // a cancel ends the work, and its result still counts
   private final AtomicBoolean cancelled = new AtomicBoolean();
   private long lastReport; // used by the working thread only
 
-  Job(Jobs jobs, String what, Function<Progress, T> work, Consumer<T> done) {
+  Job(Jobs jobs, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
     this.jobs = jobs;
     this.what = what;
     this.work = work;
     this.done = done;
+    this.isSearch = isSearch;
   }
 
   String what() {
@@ -51,7 +53,7 @@ final class Job<T> implements Runnable, Progress {
 
   /** On the event thread: a job that was cancelled in the last moment has no effect either. */
   private void finish(T result) {
-    if (!isCancelled()) {
+    if (isSearch || !isCancelled()) {
       done.accept(result);
     }
   }

@@ -56,7 +56,18 @@ public final class Jobs {
    * @return cancels the job; does nothing once it has ended
    */
   public <T> Runnable submit(String what, Function<Progress, T> work, Consumer<T> done) {
-    Job<T> job = new Job<>(this, what, work, done);
+    return queue(new Job<>(this, what, work, done, false));
+  }
+
+  /**
+   * Queues a job whose work ends early when it is cancelled and returns the best that it has then:
+   * {@code done} gets that too.
+   */
+  public <T> Runnable submitSearch(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(new Job<>(this, what, work, done, true));
+  }
+
+  private Runnable queue(Job<?> job) {
     waiting.add(job);
     executor.execute(job);
     return job::cancel;

@@ -80,6 +80,28 @@ class JobsTest {
   }
 
   @Test
+  void aSearchThatIsCancelledHandsOverTheBestThatItHas() throws Exception {
+    CountDownLatch started = new CountDownLatch(1);
+    LinkedBlockingQueue<String> results = new LinkedBlockingQueue<>();
+    SwingUtilities.invokeAndWait(
+        () ->
+            jobs.submitSearch(
+                "search",
+                progress -> {
+                  started.countDown();
+                  while (!progress.isCancelled()) {
+                    Thread.onSpinWait();
+                  }
+                  return "best so far";
+                },
+                results::add));
+    assertThat(started.await(10, TimeUnit.SECONDS)).isTrue();
+    SwingUtilities.invokeAndWait(jobs::cancelCurrent);
+    awaitIdle();
+    assertThat(results).containsExactly("best so far");
+  }
+
+  @Test
   void aFailureIsTold() throws Exception {
     SwingUtilities.invokeAndWait(
         () ->

@@ -1,0 +1,36 @@
+package dct.ui;
+
+import dct.core.degree.ParityGoal;
+
+/** The goals of the optimizer that have a menu item. */
+enum MostVertices {
+  EVEN("Most Even Vertices", "ctrl shift E", "Finds the triangulation with the most even vertices"),
+  ODD("Most Odd Vertices", "ctrl shift O", "Finds the triangulation with the most odd vertices");
+
+  private final String title;
+  private final String key;
+  private final String description;
+
+  MostVertices(String title, String key, String description) {
+    this.title = title;
+    this.key = key;
+    this.description = description;
+  }
+
+  String title() {
+    return title;
+  }
+
+  String key() {
+    return key;
+  }
+
+  String description() {
+    return description;
+  }
+
+  /** The goal for n vertices. */
+  ParityGoal goal(int n) {
+    return this == EVEN ? ParityGoal.allEven(n) : ParityGoal.allOdd(n);
+  }
+}
