@@ -70,8 +70,7 @@ public final class MainWindow extends JFrame {
         new WindowAdapter() {
           @Override
           public void windowOpened(WindowEvent e) {
-            // Only now the widths of the frame's borders are known for sure.
-            Placement.centre(MainWindow.this);
+            Placement.settle(MainWindow.this, canvas);
           }
 
           @Override

@@ -1,15 +1,21 @@
 package dct.ui;
 
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Frame;
 import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
 import javax.swing.JFrame;
+import javax.swing.Timer;
 
 /** Finds places for windows on the screen. */
 final class Placement {
   private static final int STEP = 36;
+  private static final int SETTLE_MILLIS = 100;
+  private static final int SETTLE_TIMES = 6;
 
   private Placement() {}
 
@@ -24,6 +30,27 @@ final class Placement {
     window.setLocation(
         screen.x + (screen.width - window.getWidth()) / 2,
         screen.y + (screen.height - window.getHeight()) / 2);
+  }
+
+  /**
+   * Sees to it that a component has its preferred size in the window that was just opened: the
+   * widths of the frame's borders become known only some time after.
+   */
+  static void settle(JFrame window, Component component) {
+    Timer timer = new Timer(SETTLE_MILLIS, null);
+    int[] left = {SETTLE_TIMES};
+    timer.addActionListener(
+        e -> {
+          boolean free = window.getExtendedState() == Frame.NORMAL && fits(window);
+          if (free && !component.getSize().equals(component.getPreferredSize())) {
+            centre(window);
+          }
+          if (--left[0] == 0) {
+            timer.stop();
+          }
+        });
+    timer.setInitialDelay(0);
+    timer.start();
   }
 
   /**
@@ -47,6 +74,12 @@ final class Placement {
     window.setLocation(
         Math.max(screen.x, Math.min(x, screen.x + screen.width - window.getWidth())),
         Math.max(screen.y, Math.min(y, screen.y + screen.height - window.getHeight())));
+  }
+
+  private static boolean fits(Window window) {
+    Rectangle screen = usable(window);
+    Dimension wished = window.getPreferredSize();
+    return wished.width <= screen.width && wished.height <= screen.height;
   }
 
   private static Rectangle usable(Window window) {

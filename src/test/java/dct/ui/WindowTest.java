@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Tag;
 /** A real main window, used with a real mouse and keyboard. */
 @Tag("gui")
 abstract class WindowTest {
-  static final long PATIENCE_MILLIS = 10_000;
+  static final long PATIENCE_MILLIS = 30_000;
 
   static {
     GuiToolkit.load();
