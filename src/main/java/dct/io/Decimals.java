@@ -8,9 +8,10 @@ import java.nio.charset.StandardCharsets;
 /**
  * Decimal numbers in files: read correctly rounded, written as shortly as they can be read back.
  *
- * <p>The ordinary case, up to 15 digits, is one exact division or multiplication (Clinger, "How to
- * read floating point numbers accurately", 1990); the rest goes through the library. What is
- * written does not depend on the JDK.
+ * <p>Up to 15 digits are one exact division (Clinger, "How to read floating point numbers
+ * accurately", 1990). Up to 18 digits are a division whose remainder is known and which is rounded
+ * twice, from just below and just above the truth: where both agree, they are right. The rest goes
+ * through the library. What is written does not depend on the JDK.
  */
 public final class Decimals {
   private static final double[] POWER_OF_TEN = {
@@ -57,11 +58,32 @@ public final class Decimals {
     if (i < to) {
       return isExponent(text, i, to) ? library(text, from, to) : Double.NaN;
     }
-    if (significant > 15 || fraction > 22) {
+    double value = significant <= 18 && fraction <= 22 ? quotient(digits, fraction) : Double.NaN;
+    if (Double.isNaN(value)) {
       return library(text, from, to);
     }
-    double value = digits / POWER_OF_TEN[fraction];
     return negative ? -value : value;
+  }
+
+  /**
+   * The double nearest to {@code digits / 10^places}, or NaN where it is too close to call.
+   *
+   * @param digits at most 10^18
+   * @param places at most 22
+   */
+  private static double quotient(long digits, int places) {
+    double power = POWER_OF_TEN[places];
+    double high = digits;
+    if (Math.abs(digits) < EXACT) {
+      return high / power;
+    }
+    double low = digits - (long) high;
+    double quotient = high / power;
+    double remainder = Math.fma(-quotient, power, high); // exact
+    double correction = (remainder + low) / power; // off by less than 2^-51 of itself
+    double below = quotient + correction * (1 - 0x1p-48);
+    double above = quotient + correction * (1 + 0x1p-48);
+    return below == above ? below : Double.NaN;
   }
 
   private static boolean isExponent(byte[] text, int from, int to) {
@@ -104,7 +126,7 @@ public final class Decimals {
     }
     if (size < EXACT && size == (long) size) {
       text.append((long) size);
-    } else if (!appendFraction(text, size)) {
+    } else if (!appendFraction(text, size) && !appendScaled(text, size)) {
       appendLong(text, size);
     }
   }
@@ -124,11 +146,44 @@ public final class Decimals {
     return false;
   }
 
+  /** A number of 15 to 17 digits is scaled to a whole number; false where that is uncertain. */
+  private static boolean appendScaled(StringBuilder text, double size) {
+    if (size < 1e-5 || size >= EXACT) {
+      return false;
+    }
+    int exponent = (int) Math.floor(Math.log10(size));
+    for (int places = 14 - exponent; places <= 16 - exponent; places++) {
+      long scaled = nearest(size, Math.max(places, 0));
+      if (quotient(scaled, Math.max(places, 0)) == size) {
+        appendPlaces(text, scaled, Math.max(places, 0));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The whole number nearest to {@code size * 10^places}. */
+  private static long nearest(double size, int places) {
+    double product = size * POWER_OF_TEN[places];
+    double error = Math.fma(size, POWER_OF_TEN[places], -product); // exact
+    double whole = Math.rint(product);
+    return (long) whole + (long) Math.rint(product - whole + error);
+  }
+
   private static void appendPlaces(StringBuilder text, long scaled, int places) {
-    long unit = (long) POWER_OF_TEN[places];
-    text.append(scaled / unit).append('.');
-    String behind = Long.toString(scaled % unit);
-    text.append("0".repeat(places - behind.length())).append(behind);
+    long digits = scaled;
+    int behind = places;
+    while (digits % 10 == 0 && behind > 1) {
+      digits /= 10;
+      behind--;
+    }
+    int start = text.length();
+    text.append(digits);
+    int missing = behind + 1 - (text.length() - start); // of a zero before the point and after it
+    if (missing > 0) {
+      text.insert(start, "0".repeat(missing));
+    }
+    text.insert(text.length() - behind, '.');
   }
 
   private static void appendLong(StringBuilder text, double size) {
