@@ -59,16 +59,40 @@ class PredicatesTest {
         return r.nextInt(3) == 0 ? r.nextInt(4) : (r.nextInt(3) - 1) * Double.MAX_VALUE;
       }
     },
-    DENORMAL(20_000) {
+    DENORMAL(8_000) {
       @Override
       double next(Random r) {
         return (r.nextInt(9) - 4) * Double.MIN_VALUE;
       }
     },
-    BARELY_NORMAL(20_000) {
+    BARELY_NORMAL(8_000) {
       @Override
       double next(Random r) {
         return Double.MIN_NORMAL * (1 + r.nextInt(4) * ULP) * (r.nextInt(3) - 1);
+      }
+    },
+    SQUARES_THAT_UNDERFLOW(4_000) {
+      @Override
+      double next(Random r) {
+        return r.nextInt(200) * 0x1p-540;
+      }
+    },
+    SQUARES_THAT_OVERFLOW(4_000) {
+      @Override
+      double next(Random r) {
+        return r.nextInt(200) * 0x1p508;
+      }
+    },
+    FOURTH_POWERS_THAT_UNDERFLOW(4_000) {
+      @Override
+      double next(Random r) {
+        return r.nextInt(200) * 0x1p-272;
+      }
+    },
+    FOURTH_POWERS_THAT_OVERFLOW(4_000) {
+      @Override
+      double next(Random r) {
+        return r.nextInt(200) * 0x1p250;
       }
     },
     AT_THE_EXPANSION_LIMITS(20_000) {
