@@ -115,8 +115,10 @@ abstract class WindowTest {
     settle();
   }
 
-  /** Presses keys together, as "ctrl Z" for Ctrl and Z. */
+  /** Presses a key while others are down, in the main window. */
   void type(int key, int... modifiers) {
+    // After a dialog the focus comes back some time later.
+    robot.focusAndWaitForFocusGain(canvas());
     for (int modifier : modifiers) {
       robot.pressKey(modifier);
     }
