@@ -41,10 +41,9 @@ class FilesWindowTest extends WindowTest {
   @Test
   void aSampleIsOpenedSavedUnderANewNameAndOpenedAgain() throws Exception {
     String name = Samples.names().get(0);
-    frame.menuItem("File").click();
-    frame.menuItem("Open Sample").click();
-    frame.menuItem(name).click();
-    settle();
+    clickMenu("File");
+    clickMenu("Open Sample");
+    clickMenu(name);
     Points sample = points();
     assertThat(sample).isEqualTo(Samples.read(name).points());
     assertThat(window.getTitle()).startsWith(name);
@@ -238,9 +237,8 @@ class FilesWindowTest extends WindowTest {
   }
 
   private void menu(String item) {
-    frame.menuItem("File").click();
-    frame.menuItem(item).click();
-    robot.waitForIdle();
+    clickMenu("File");
+    clickMenu(item);
   }
 
   private void open(Path file) {
@@ -252,7 +250,7 @@ class FilesWindowTest extends WindowTest {
   private void typeName(String name) {
     JFileChooserFixture chooser =
         JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    chooser.fileNameTextBox().deleteText().enterText(name);
+    fill(chooser.fileNameTextBox(), name);
     robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
     await("the file panel is closed", () -> !chooser.target().isShowing());
     robot.waitForIdle();

@@ -146,12 +146,11 @@ class PolygonWindowTest extends WindowTest {
     type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
     type(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
     assertThat(points()).isEqualTo(split);
-    frame.menuItem("Edit").click();
+    clickMenu("Edit");
     frame.menuItem("Undo").requireEnabled();
     assertThat(onEventThread(() -> frame.menuItem("Undo").target().getText()))
         .isEqualTo("Undo Split Vertex v1");
-    frame.menuItem("Undo").click();
-    settle();
+    clickMenu("Undo");
     assertThat(points().size()).isEqualTo(3);
   }
 

@@ -115,11 +115,11 @@ class SitesWindowTest extends WindowTest {
   void randomSitesAsksForTheirNumber() {
     choose("Point Sites Based");
     frame.button("Random Sites").click();
-    dialog().textBox().deleteText().enterText("ten");
+    fill(dialog().textBox(), "ten");
     answer(dialog(), "OK");
     assertThat(message(dialog())).contains("“ten” is not a whole number from 1");
     answer(dialog(), "OK");
-    dialog().textBox().deleteText().enterText("1000");
+    fill(dialog().textBox(), "1000");
     answer(dialog(), "OK");
     assertThat(points().size()).isEqualTo(1000);
     Triangulation delaunay = delaunay(points());

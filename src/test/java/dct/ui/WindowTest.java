@@ -28,6 +28,7 @@ import org.assertj.swing.finder.JOptionPaneFinder;
 import org.assertj.swing.finder.WindowFinder;
 import org.assertj.swing.fixture.FrameFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -42,6 +43,7 @@ abstract class WindowTest {
   }
 
   org.assertj.swing.core.Robot robot;
+  private final InputLog input = new InputLog();
   MainWindow window;
   FrameFixture frame;
   private Robot screen;
@@ -50,6 +52,7 @@ abstract class WindowTest {
   void openWindow() throws Exception {
     screen = new Robot();
     robot = BasicRobot.robotWithNewAwtHierarchy();
+    input.start();
     // Waiting is done for conditions, not for time to pass.
     robot.settings().delayBetweenEvents(4);
     robot.settings().eventPostingDelay(10);
@@ -67,6 +70,7 @@ abstract class WindowTest {
 
   @AfterEach
   void closeWindow() {
+    input.stop();
     robot.cleanUp();
     onEventThread(
         () -> {
@@ -82,43 +86,55 @@ abstract class WindowTest {
 
   /** Chooses Polygon Based or Point Sites Based. */
   void choose(String application) {
-    frame.radioButton(application).click();
-    settle();
+    click(() -> frame.radioButton(application).click());
+    frame.radioButton(application).requireSelected();
   }
 
   /** Chooses a mouse mode. */
   void check(String tool) {
-    frame.checkBox(tool).click();
+    click(() -> frame.checkBox(tool).click());
     frame.checkBox(tool).requireSelected();
+  }
+
+  /** Does something that clicks, and waits until the click has arrived and its work is done. */
+  void click(Runnable clicks) {
+    long before = input.mouseReleases();
+    clicks.run();
+    await("the click", () -> input.mouseReleases() > before);
+    settle();
   }
 
   /** Clicks at these model coordinates, one place after the other: x0, y0, x1, y1, …. */
   void clickAt(double... coordinates) {
     for (int i = 0; i < coordinates.length; i += 2) {
-      robot.click(canvas(), at(canvas(), coordinates[i], coordinates[i + 1]));
-      settle();
+      Point place = at(canvas(), coordinates[i], coordinates[i + 1]);
+      click(() -> robot.click(canvas(), place));
     }
   }
 
   void press(double x, double y) {
-    robot.moveMouse(canvas(), at(canvas(), x, y));
+    moveTo(x, y);
+    long before = input.mousePresses();
     robot.pressMouse(MouseButton.LEFT_BUTTON);
+    await("the press", () -> input.mousePresses() > before);
   }
 
   void moveTo(double x, double y) {
-    robot.moveMouse(canvas(), at(canvas(), x, y));
+    Point place = at(canvas(), x, y);
+    robot.moveMouse(canvas(), place);
+    await("the move", () -> input.isMouseAt(canvas(), place));
     settle();
   }
 
   void release() {
-    robot.releaseMouse(MouseButton.LEFT_BUTTON);
-    settle();
+    click(() -> robot.releaseMouse(MouseButton.LEFT_BUTTON));
   }
 
   /** Presses a key while others are down, in the main window. */
   void type(int key, int... modifiers) {
     // After a dialog the focus comes back some time later.
     robot.focusAndWaitForFocusGain(canvas());
+    long before = input.keyReleases();
     for (int modifier : modifiers) {
       robot.pressKey(modifier);
     }
@@ -126,7 +142,14 @@ abstract class WindowTest {
     for (int modifier : modifiers) {
       robot.releaseKey(modifier);
     }
+    await("the keys", () -> input.keyReleases() > before + modifiers.length);
     settle();
+  }
+
+  /** Types a text in place of what a field holds. */
+  void fill(JTextComponentFixture field, String text) {
+    field.deleteText().enterText(text);
+    await("the text", () -> text.equals(field.text()));
   }
 
   /** The points of the document that is shown. */
@@ -136,14 +159,22 @@ abstract class WindowTest {
 
   /** Clicks a button of the east panel. */
   void push(String button) {
-    frame.button(button).click();
-    settle();
+    click(() -> frame.button(button).click());
+  }
+
+  /** Clicks a menu of the menu bar, or an item of the menu that is open. */
+  void clickMenu(String name) {
+    // A click that opens a dialog returns from the event queue only after its answer.
+    long before = input.mouseReleases();
+    frame.menuItem(name).click();
+    await("the click", () -> input.mouseReleases() > before);
+    robot.waitForIdle();
   }
 
   /** Pushes a button that opens a frame of results, and returns it. */
   ResultFrame pushForResult(String button) {
     List<Frame> before = results();
-    frame.button(button).click();
+    click(() -> frame.button(button).click());
     await("a new frame", () -> results().size() > before.size());
     settle();
     ResultFrame result =
