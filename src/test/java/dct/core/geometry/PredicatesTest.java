@@ -86,7 +86,7 @@ class PredicatesTest {
     FOURTH_POWERS_THAT_UNDERFLOW(4_000) {
       @Override
       double next(Random r) {
-        return r.nextInt(200) * 0x1p-272;
+        return r.nextInt(12) * 0x1p-271;
       }
     },
     FOURTH_POWERS_THAT_OVERFLOW(4_000) {
