@@ -65,6 +65,17 @@ class DcelTest {
     }
   }
 
+  /** Or else n − 3 ear cuts would be quadratic. */
+  @Test
+  void splitFaceGivesTheNewFaceToTheShorterSide() {
+    Dcel earOnTheRight = Dcel.cycle(walk(8));
+    int d = earOnTheRight.splitFace(0, 4);
+    assertThat(earOnTheRight.face(d)).isEqualTo(1);
+    Dcel earOnTheLeft = Dcel.cycle(walk(8));
+    int e = earOnTheLeft.splitFace(4, 0);
+    assertThat(earOnTheLeft.face(Dcel.twin(e))).isEqualTo(1);
+  }
+
   @Test
   void joinFacesUndoesSplitFace() {
     for (int seed = 0; seed < 500; seed++) {
