@@ -1,8 +1,8 @@
 package dct.cli;
 
 import dct.core.Progress;
-import dct.core.degree.BoundCheck;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.best.BoundCheck;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;

@@ -1,10 +1,10 @@
 package dct.cli;
 
 import dct.core.Progress;
-import dct.core.degree.BestTriangulation;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.io.WishFile;

@@ -1,10 +1,10 @@
 package dct.ui;
 
 import dct.core.Progress;
-import dct.core.degree.BestTriangulation;
 import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;

@@ -1,8 +1,8 @@
 package dct.ui;
 
-import dct.core.degree.BestTriangulation;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.RandomSites;

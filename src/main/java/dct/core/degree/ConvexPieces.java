@@ -11,7 +11,7 @@ import dct.core.triangulate.Partition;
 import dct.core.triangulate.Triangulation;
 
 /** What {@link PartitioningAqt} and {@link OddFan} share: convex pieces, each cut by one rule. */
-final class ConvexPieces {
+public final class ConvexPieces {
   private static final int PIECES_BETWEEN_REPORTS = 1 << 12;
 
   private ConvexPieces() {}
@@ -27,7 +27,7 @@ final class ConvexPieces {
   }
 
   /** Whether every angle of the polygon is less than 180°. */
-  static boolean isConvex(SimplePolygon polygon) {
+  public static boolean isConvex(SimplePolygon polygon) {
     int n = polygon.size();
     for (int k = 0; k < n; k++) {
       int before = polygon.vertex((k + n - 1) % n);

@@ -1,0 +1,72 @@
+package dct.core.degree.bound;
+
+import dct.core.degree.LowerBound;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+
+/**
+ * The bound from the sum of the degrees.
+ *
+ * <p>n > 3 sites, h of them on the hull, have 3n − 3 − h edges in every triangulation. A vertex has
+ * degree 2 only where it is a corner of the hull that forms an empty triangle with its two
+ * neighbours on the boundary (it is <i>earable</i>); two neighbours on the boundary cannot both,
+ * their two triangles would be one and n would be 3. Every other degree is at least 3.
+ *
+ * <p>Claim: let E sites be wished even, and let X be the greatest weight of a set of earable
+ * corners without neighbours on the boundary, where a corner weighs 2 if it is wished even, 1 if it
+ * is free, and 0 if it is wished odd. Then at least E − X − 3n + 6 + 2h sites miss their wish.
+ * Proof: start with 3 for each vertex. One that is wished even adds 1 more, unless it misses its
+ * wish or has degree 2; each vertex of degree 2 takes 1 away, and misses its wish if that is odd.
+ * So the sum 6n − 6 − 2h is at least 3n + E − X − u. ∎ With all wishes even: 2·(3 − interior sites
+ * − corners cut off).
+ *
+ * <p>O(n) time: the corners are tested with the triangulation at hand, and the heaviest set on the
+ * ring is found by a walk with and one without its first corner.
+ */
+final class DegreeSumBound {
+
+  private DegreeSumBound() {}
+
+  static LowerBound of(HullRing ring, ParityGoal goal) {
+    int n = goal.size();
+    int wishedEven = Handshake.count(goal, Wish.EVEN);
+    int room = 3 * n - 6 - 2 * ring.size();
+    // Without corners cut off the bound is largest; most sites are far from that.
+    boolean canHelp = n > 3 && wishedEven > room;
+    int value = canHelp ? wishedEven - room - heaviest(weights(ring, goal)) : 0;
+    return new LowerBound(value, "degree sum");
+  }
+
+  private static int[] weights(HullRing ring, ParityGoal goal) {
+    int[] weight = new int[ring.size()];
+    for (int k = 0; k < weight.length; k++) {
+      weight[k] = ring.isEarable(k) ? weight(goal.wish(ring.site(k))) : 0;
+    }
+    return weight;
+  }
+
+  private static int weight(Wish wish) {
+    return switch (wish) {
+      case EVEN -> 2;
+      case ANY -> 1;
+      case ODD -> 0;
+    };
+  }
+
+  /** The greatest weight of a set without neighbours on a ring. */
+  private static int heaviest(int[] weight) {
+    int last = weight.length - 1;
+    return Math.max(onPath(weight, 0, last - 1), onPath(weight, 1, last));
+  }
+
+  private static int onPath(int[] weight, int from, int to) {
+    int best = 0; // up to the present position
+    int before = 0; // up to the one before it
+    for (int k = from; k <= to; k++) {
+      int with = before + weight[k];
+      before = best;
+      best = Math.max(best, with);
+    }
+    return best;
+  }
+}

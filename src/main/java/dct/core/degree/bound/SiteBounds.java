@@ -1,0 +1,100 @@
+package dct.core.degree.bound;
+
+import dct.core.degree.LowerBound;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import java.util.Optional;
+
+/**
+ * The best lower bound known for the number of sites that miss their wished parity in any
+ * triangulation of them.
+ *
+ * <p>The largest of: the boundary count modulo 3 ({@link BoundaryColouring}); the sum of the
+ * degrees ({@link DegreeSumBound}); a long straight side ({@link LongSideBound}); the triangles
+ * along the hull ({@link HullWalkBound}); full lattice polygons ({@link LatticeBound}); three hull
+ * sites ({@link ThreeHullSites}); each rounded up by the {@link Handshake} lemma. Each class proves
+ * its bound, for all wishes even and for the other goals to which it applies. Exact. Sites on one
+ * line have one triangulation, whose count is the bound.
+ *
+ * <p>All but the hull walk take O(n) time. The walk is left out where it would cost more than about
+ * a second, as at 10⁵ sites.
+ */
+public final class SiteBounds {
+  private final HullRing ring;
+  private final ParityGoal goal;
+  private final Handshake handshake;
+  private LowerBound best;
+
+  private SiteBounds(Triangulation triangulation, ParityGoal goal) {
+    this.goal = goal;
+    ring = HullRing.of(triangulation);
+    handshake = new Handshake(goal);
+    best = handshake.roundUp(BoundaryColouring.ofSites(ring, goal));
+  }
+
+  /**
+   * The largest of all the bounds. If the hull walk was left out the reason says so.
+   *
+   * @param triangulation any triangulation of the sites
+   * @throws IllegalArgumentException if it is one of a polygon, or has another number of vertices
+   */
+  public static LowerBound of(Triangulation triangulation, ParityGoal goal) {
+    check(triangulation, goal);
+    return isPath(triangulation) ? onePath(triangulation, goal) : best(triangulation, goal, true);
+  }
+
+  /**
+   * The largest of the bounds that take linear time, without the hull walk: enough to see that a
+   * triangulation which attains it is the best.
+   *
+   * @param triangulation any triangulation of the sites
+   * @throws IllegalArgumentException if it is one of a polygon, or has another number of vertices
+   */
+  public static LowerBound quick(Triangulation triangulation, ParityGoal goal) {
+    check(triangulation, goal);
+    return isPath(triangulation) ? onePath(triangulation, goal) : best(triangulation, goal, false);
+  }
+
+  private static void check(Triangulation triangulation, ParityGoal goal) {
+    if (triangulation.domain() != Domain.SITES || triangulation.vertexCount() != goal.size()) {
+      throw new IllegalArgumentException("these are not wishes for a triangulation of sites");
+    }
+  }
+
+  private static boolean isPath(Triangulation triangulation) {
+    return triangulation.triangleCount() == 0;
+  }
+
+  private static LowerBound onePath(Triangulation triangulation, ParityGoal goal) {
+    return new LowerBound(goal.unsatisfied(triangulation), "all sites on one line");
+  }
+
+  private static LowerBound best(Triangulation triangulation, ParityGoal goal, boolean thorough) {
+    SiteBounds bounds = new SiteBounds(triangulation, goal);
+    bounds.improve(DegreeSumBound.of(bounds.ring, goal));
+    bounds.improve(LongSideBound.of(bounds.ring, goal));
+    bounds.improve(LatticeBound.of(bounds.ring, goal));
+    bounds.improve(ThreeHullSites.of(bounds.ring, goal, bounds.best.value()));
+    if (thorough) {
+      bounds.walk();
+    }
+    return bounds.best;
+  }
+
+  private void improve(LowerBound bound) {
+    best = best.max(handshake.roundUp(bound));
+  }
+
+  private void walk() {
+    Optional<LowerBound> walked = HullWalkBound.ofWalk(ring, goal, best.value());
+    walked.or(() -> HullWalkBound.ofStrips(ring, goal)).ifPresent(this::improve);
+    improve(ThreeHullSites.of(ring, goal, goal.isAll(Wish.EVEN) ? best.value() : 0));
+    best = walked.isPresent() ? best : notWalked(best);
+  }
+
+  private static LowerBound notWalked(LowerBound bound) {
+    return new LowerBound(bound.value(), bound.reason() + "; too many sites for a hull walk");
+  }
+}

@@ -1,0 +1,74 @@
+package dct.core.degree.search;
+
+import dct.core.geometry.Points;
+import java.util.Arrays;
+
+/**
+ * Points in the order of a Hilbert curve through their box, so that points near in the order are
+ * near in the plane. Points in the same of 65,536² cells keep the order of their numbers. O(n log
+ * n) time.
+ */
+final class HilbertOrder {
+  private static final int BITS = 16;
+  private static final int SIDE = 1 << BITS;
+
+  private HilbertOrder() {}
+
+  /** The numbers of the points in this order. */
+  static int[] of(Points points) {
+    double[] x = points.xs();
+    double[] y = points.ys();
+    double left = min(x);
+    double low = min(y);
+    double scale = scale(Math.max(max(x) - left, max(y) - low));
+    long[] keys = new long[x.length];
+    for (int i = 0; i < keys.length; i++) {
+      keys[i] = key(cell((x[i] - left) * scale), cell((y[i] - low) * scale)) << 31 | i;
+    }
+    Arrays.parallelSort(keys);
+    int[] order = new int[keys.length];
+    for (int k = 0; k < order.length; k++) {
+      order[k] = (int) (keys[k] & Integer.MAX_VALUE);
+    }
+    return order;
+  }
+
+  private static double scale(double extent) {
+    double scale = (SIDE - 1) / extent;
+    return Double.isFinite(scale) ? scale : 0;
+  }
+
+  private static int cell(double value) {
+    return Math.min(SIDE - 1, (int) value);
+  }
+
+  private static double min(double[] values) {
+    return Arrays.stream(values).min().orElse(0);
+  }
+
+  private static double max(double[] values) {
+    return Arrays.stream(values).max().orElse(0);
+  }
+
+  /** The place of a cell along the curve. */
+  private static long key(int column, int row) {
+    int x = column;
+    int y = row;
+    long key = 0;
+    for (int side = SIDE / 2; side > 0; side /= 2) {
+      int right = (x & side) != 0 ? 1 : 0;
+      int up = (y & side) != 0 ? 1 : 0;
+      key += (long) side * side * ((3 * right) ^ up);
+      if (up == 0) {
+        if (right == 1) {
+          x = SIDE - 1 - x;
+          y = SIDE - 1 - y;
+        }
+        int kept = x;
+        x = y;
+        y = kept;
+      }
+    }
+    return key;
+  }
+}

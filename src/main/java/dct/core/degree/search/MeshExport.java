@@ -1,0 +1,77 @@
+package dct.core.degree.search;
+
+import dct.core.dcel.Dcel;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
+
+/** Turns a {@link SearchMesh} into a triangulation of the sites, in linear time. */
+final class MeshExport {
+  private final SearchMesh mesh;
+  private final int[] site; // by vertex of the mesh: its number among the sites
+  private final int[] half; // by half-edge of the mesh: its number in the result
+  private final int[] outward; // by vertex: the half-edge of the outer face that leaves it
+  private int[] next;
+  private int[] prev;
+  private int[] origin;
+
+  MeshExport(SearchMesh mesh, int[] site) {
+    this.mesh = mesh;
+    this.site = site;
+    half = new int[mesh.corner.length];
+    outward = new int[mesh.size()];
+  }
+
+  /** The triangulation; its edges are numbered along the triangles of the mesh. */
+  Triangulation toTriangulation(Triangulation start) {
+    next = new int[2 * start.edgeCount()];
+    prev = new int[next.length];
+    origin = new int[next.length];
+    number();
+    int outer = SearchMesh.NONE;
+    for (int e = 0; e < half.length; e++) {
+      if (isHalfEdge(e)) {
+        copy(e);
+        outer = mesh.twin[e] == SearchMesh.NONE ? copyOutside(e) : outer;
+      }
+    }
+    Dcel dcel = Dcel.of(mesh.size(), next, prev, origin, outer);
+    return new Triangulation(start.domain(), start.points(), dcel, edge -> EdgeKind.DIAGONAL);
+  }
+
+  private static boolean isHalfEdge(int e) {
+    return (e & 3) != 3;
+  }
+
+  /** Numbers each edge where it is first seen; its hull side, if any, gets the odd number. */
+  private void number() {
+    int used = 0;
+    for (int e = 0; e < half.length; e++) {
+      int twin = mesh.twin[e];
+      if (isHalfEdge(e) && (twin == SearchMesh.NONE || twin > e)) {
+        half[e] = used;
+        if (twin == SearchMesh.NONE) {
+          outward[mesh.corner[SearchMesh.next(e)]] = used + 1;
+        } else {
+          half[twin] = used + 1;
+        }
+        used += 2;
+      }
+    }
+  }
+
+  private void copy(int e) {
+    int h = half[e];
+    next[h] = half[SearchMesh.next(e)];
+    prev[h] = half[SearchMesh.prev(e)];
+    origin[h] = site[mesh.corner[e]];
+  }
+
+  private int copyOutside(int e) {
+    int h = half[e] + 1;
+    int following = outward[mesh.corner[e]];
+    origin[h] = site[mesh.corner[SearchMesh.next(e)]];
+    next[h] = following;
+    prev[following] = h;
+    return h;
+  }
+}

@@ -1,0 +1,217 @@
+package dct.core.degree.search;
+
+/**
+ * Makes vertices satisfied in one part of a {@link SearchMesh}: those numbered from {@code lo} to
+ * {@code hi} − 1, an unbroken stretch of the Hilbert curve. Triangles with a corner elsewhere stay,
+ * so that parts can be searched at the same time.
+ *
+ * <p>{@link #sweep} re-solves a region around each unsatisfied vertex. {@link #pairUp} walks each
+ * vertex that is left towards another one, or towards one of which nothing is wished, until the two
+ * meet and vanish. Neither ever makes the number of unsatisfied vertices larger. A step costs the
+ * same whatever the size of the part.
+ *
+ * <p>Two that meet need not vanish: around them the triangles may force a three-colouring of the
+ * vertices to turn by a third, which a region without unsatisfied vertices cannot do. Then another
+ * partner, or the same one reached by another way, will do; so partners are drawn more freely the
+ * longer nothing helps.
+ */
+final class PartSearch {
+  private static final int SIZE = 10; // vertices of a region
+  private static final int CHECK_EVERY = 32; // steps between two looks at the clock
+  private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
+  private static final int DETOUR = 64; // how far along the curve a vertex is led astray
+  private static final int PATIENCE = 6; // steps of one walk that come no nearer
+  private static final int PULL_BITS = 14;
+  private static final int NOISE_BITS = 9;
+  private static final int STUCK = 4; // rounds without help, after which walks are varied
+  private static final int LARGEST = 32; // vertices of a region then
+
+  private final SearchMesh mesh;
+  private final SearchRandom random;
+  private final SearchClock clock;
+  private final int lo;
+  private final int hi;
+  private final MeshRegion region;
+  private final VertexList open = new VertexList(); // unsatisfied at the start of a round, in order
+  private final VertexList seen = new VertexList(); // perhaps unsatisfied at its end
+  private int unsatisfied;
+  private int steps;
+  private int size = SIZE; // of the regions of a walk
+  private int pullBits = PULL_BITS;
+  private int noiseBits = NOISE_BITS;
+  private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
+  private int second; // the one after it, or NONE
+
+  PartSearch(SearchMesh mesh, SearchRandom random, SearchClock clock, int lo, int hi) {
+    this.mesh = mesh;
+    this.random = random;
+    this.clock = clock;
+    this.lo = lo;
+    this.hi = hi;
+    region = new MeshRegion(mesh, random, LARGEST, lo, hi);
+    collect();
+  }
+
+  private void collect() {
+    open.clear();
+    for (int v = lo; v < hi; v++) {
+      if (mesh.isUnsatisfied(v)) {
+        open.add(v);
+      }
+    }
+    unsatisfied = open.size();
+  }
+
+  /** How many vertices of the part are unsatisfied. */
+  int unsatisfied() {
+    return unsatisfied;
+  }
+
+  /**
+   * Re-solves a region around each vertex that is unsatisfied when its turn comes, as long as more
+   * than {@code enough} are.
+   */
+  void sweep(int enough) {
+    for (int v = lo; v < hi && unsatisfied > enough && !isOver(); v++) {
+      if (mesh.isUnsatisfied(v) && region.open(mesh.halfEdgeAt(v, random))) {
+        region.grow(SIZE);
+        unsatisfied += region.fill();
+      }
+    }
+  }
+
+  private boolean isOver() {
+    return ++steps % CHECK_EVERY == 0 && clock.isOver();
+  }
+
+  /**
+   * Walks unsatisfied vertices towards each other, round by round, until no more than {@code
+   * enough} are left or {@code patience} rounds in a row have not helped.
+   */
+  void pairUp(int enough, int patience) {
+    collect();
+    int idle = 0;
+    while (unsatisfied > enough && idle < patience && !clock.isOver()) {
+      int before = unsatisfied;
+      round(enough, idle);
+      idle = unsatisfied < before ? 0 : idle + 1;
+    }
+  }
+
+  private void round(int enough, int idle) {
+    seen.clear();
+    for (int q = 0; q < open.size() && unsatisfied > enough && !isOver(); q++) {
+      int v = open.get(q);
+      int partner = mesh.isUnsatisfied(v) ? partner(q, idle) : SearchMesh.NONE;
+      if (partner != SearchMesh.NONE) {
+        vary(idle);
+        walk(v, partner);
+      }
+    }
+    seen.addAll(open);
+    open.setUnsatisfied(seen, mesh);
+  }
+
+  /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */
+  private void vary(int idle) {
+    boolean usual = idle < STUCK || random.below(4) == 0;
+    size = usual ? SIZE : SIZE + random.below(random.below(LARGEST - SIZE) + 1);
+    pullBits = usual ? PULL_BITS : PULL_BITS - random.below(7);
+    noiseBits = usual ? NOISE_BITS : NOISE_BITS + 3;
+  }
+
+  /** A vertex to meet: the nearest, or, where that has not helped, now and then another. */
+  private int partner(int q, int idle) {
+    int choice = idle == 0 ? 0 : random.below(6);
+    return switch (choice) {
+      case 1, 2 -> astray(open.get(q));
+      case 3 -> anyPartner(q);
+      default -> nearestPartner(q, idle > 0);
+    };
+  }
+
+  /** Any vertex not far off, to come back from there by another way. */
+  private int astray(int v) {
+    return Math.max(lo, Math.min(hi - 1, v + random.below(2 * DETOUR) - DETOUR));
+  }
+
+  private int anyPartner(int q) {
+    int u = open.get(random.below(open.size()));
+    return u != open.get(q) && mesh.isUnsatisfied(u) ? u : SearchMesh.NONE;
+  }
+
+  private int nearestPartner(int q, boolean roughly) {
+    int v = open.get(q);
+    int nearest = mesh.freeVertexNear(v, lo, hi);
+    double least =
+        nearest == SearchMesh.NONE ? Double.POSITIVE_INFINITY : mesh.squaredDistance(nearest, v);
+    int last = Math.min(open.size() - 1, q + NEIGHBOURS);
+    for (int i = Math.max(0, q - NEIGHBOURS); i <= last; i++) {
+      int u = open.get(i);
+      if (u != v && mesh.isUnsatisfied(u)) {
+        double factor = roughly ? 0.1 + random.fraction() : 1;
+        double distance = factor * mesh.squaredDistance(u, v);
+        if (distance < least) {
+          least = distance;
+          nearest = u;
+        }
+      }
+    }
+    return nearest;
+  }
+
+  /** Moves an unsatisfied vertex towards a target, until some vanish or it comes no nearer. */
+  private void walk(int from, int to) {
+    int v = from;
+    int target = to;
+    double distance = mesh.squaredDistance(v, target);
+    int idle = 0;
+    while (idle < PATIENCE && !isOver()) {
+      int change = step(v, target);
+      boolean hasMet = region.contains(target);
+      if (change < 0 || first == SearchMesh.NONE || (hasMet && second == SearchMesh.NONE)) {
+        return;
+      }
+      v = hasMet ? second : first;
+      target = hasMet ? first : target;
+      double left = mesh.squaredDistance(v, target);
+      idle = left < distance ? idle : idle + 1;
+      distance = left;
+    }
+  }
+
+  /** Re-solves a region that reaches from v towards a target. */
+  private int step(int v, int target) {
+    int change = 0;
+    if (region.open(mesh.halfEdgeAt(v, random))) {
+      region.growTowards(target, size);
+      change = region.fillTowards(target, 1 << pullBits, noiseBits);
+      unsatisfied += change;
+    }
+    rank(target);
+    return change;
+  }
+
+  /** Finds the two unsatisfied vertices of the region nearest to the target, and notes them all. */
+  private void rank(int target) {
+    first = SearchMesh.NONE;
+    second = SearchMesh.NONE;
+    for (int i = 0; i < region.size(); i++) {
+      int w = region.vertex(i);
+      if (mesh.isUnsatisfied(w)) {
+        seen.add(w);
+        if (isNearer(w, first, target)) {
+          second = first;
+          first = w;
+        } else if (isNearer(w, second, target)) {
+          second = w;
+        }
+      }
+    }
+  }
+
+  private boolean isNearer(int u, int v, int target) {
+    return v == SearchMesh.NONE
+        || mesh.squaredDistance(u, target) < mesh.squaredDistance(v, target);
+  }
+}

@@ -1,0 +1,251 @@
+package dct.core.degree.search;
+
+import dct.core.dcel.Dcel;
+import dct.core.degree.ParityGoal;
+import dct.core.geometry.Predicates;
+import dct.core.triangulate.Triangulation;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * A triangulation of sites as a search works on it: bare arrays, nothing allocated after the start.
+ *
+ * <p>Vertices are numbered along a Hilbert curve. Triangle t has the half-edges 4t, 4t + 1, 4t + 2
+ * counter-clockwise. The number of triangles and their numbers never change; a {@link MeshRegion}
+ * rewrites the triangles of a region in place. Regions without a vertex in common may be rewritten
+ * by different threads at once: none of the array elements they touch is the same.
+ */
+final class SearchMesh {
+  /** In place of a half-edge: there is none beyond the hull. */
+  static final int NONE = -1;
+
+  private static final int TURNS = 8; // at most, around a vertex
+
+  final double[] x;
+  final double[] y;
+  final int[] corner; // by half-edge: the vertex that it leaves
+  final int[] twin; // by half-edge: the same edge from the other side, or NONE
+  final int[] out; // by vertex: a half-edge that leaves it
+  final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
+  final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
+  final boolean[] hull; // by vertex: whether it lies on the boundary of the hull
+  private final int[] free; // the vertices of which nothing is wished, in order
+  private final int[] site; // by vertex: its number among the sites
+  private final boolean plain; // determinants in floating point have no rounding error
+
+  /** The triangulation, which has at least one triangle, with what is wished of it. */
+  SearchMesh(Triangulation start, ParityGoal goal, int unit) {
+    site = HilbertOrder.of(start.points());
+    int n = site.length;
+    x = new double[n];
+    y = new double[n];
+    out = new int[n];
+    wrong = new byte[n];
+    weight = new int[n];
+    int[] place = new int[n];
+    for (int v = 0; v < n; v++) {
+      place[site[v]] = v;
+      x[v] = start.points().x(site[v]);
+      y[v] = start.points().y(site[v]);
+      ParityGoal.Wish wish = goal.wish(site[v]);
+      weight[v] = wish == ParityGoal.Wish.ANY ? 0 : unit;
+      wrong[v] = (byte) ((start.degree(site[v]) + (wish == ParityGoal.Wish.ODD ? 1 : 0)) & 1);
+    }
+    free = IntStream.range(0, n).filter(v -> weight[v] == 0).toArray();
+    plain = ExactGrid.holds(x, y);
+    corner = new int[4 * start.triangleCount()];
+    twin = new int[corner.length];
+    readTriangles(start.dcel(), place);
+    hull = new boolean[n];
+    markHull();
+  }
+
+  private SearchMesh(SearchMesh that) {
+    free = that.free;
+    hull = that.hull;
+    x = that.x;
+    y = that.y;
+    site = that.site;
+    plain = that.plain;
+    corner = that.corner.clone();
+    twin = that.twin.clone();
+    out = that.out.clone();
+    wrong = that.wrong.clone();
+    weight = that.weight.clone();
+  }
+
+  /** A mesh that can be changed apart from this one. */
+  SearchMesh copy() {
+    return new SearchMesh(this);
+  }
+
+  /** Makes this mesh what another one over the same sites is. */
+  void set(SearchMesh that) {
+    System.arraycopy(that.corner, 0, corner, 0, corner.length);
+    System.arraycopy(that.twin, 0, twin, 0, twin.length);
+    System.arraycopy(that.out, 0, out, 0, out.length);
+    System.arraycopy(that.wrong, 0, wrong, 0, wrong.length);
+  }
+
+  private void readTriangles(Dcel dcel, int[] place) {
+    int[] slot = new int[2 * dcel.edgeBound()];
+    int e = 0;
+    for (int f = 1; f < dcel.faceBound(); f++, e += 4) {
+      int h = dcel.faceEdge(f);
+      for (int i = 0; i < 3; i++) {
+        slot[h] = e + i;
+        corner[e + i] = place[dcel.origin(h)];
+        out[corner[e + i]] = e + i;
+        h = dcel.next(h);
+      }
+    }
+    for (int h = 0; h < slot.length; h++) {
+      if (dcel.face(h) != Dcel.OUTER) {
+        twin[slot[h]] = dcel.face(h ^ 1) == Dcel.OUTER ? NONE : slot[h ^ 1];
+      }
+    }
+  }
+
+  private void markHull() {
+    for (int e = 0; e < corner.length; e++) {
+      if ((e & 3) != 3 && twin[e] == NONE) {
+        hull[corner[e]] = true; // each hull vertex begins one edge of the hull
+      }
+    }
+  }
+
+  /** The number of vertices. */
+  int size() {
+    return x.length;
+  }
+
+  /** The half-edge after e around its triangle. */
+  static int next(int e) {
+    return (e & ~3) | ((0b001001 >> ((e & 3) << 1)) & 3);
+  }
+
+  /** The half-edge before e around its triangle. */
+  static int prev(int e) {
+    return (e & ~3) | ((0b010010 >> ((e & 3) << 1)) & 3);
+  }
+
+  /** Whether v counts as unsatisfied. */
+  boolean isUnsatisfied(int v) {
+    return wrong[v] != 0 && weight[v] != 0;
+  }
+
+  /** How many vertices are unsatisfied, in linear time. */
+  int unsatisfied() {
+    int count = 0;
+    for (int v = 0; v < wrong.length; v++) {
+      count += isUnsatisfied(v) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** A half-edge from v, a few random steps around it. */
+  int halfEdgeAt(int v, SearchRandom random) {
+    int e = out[v];
+    boolean clockwise = false;
+    for (int r = random.below(TURNS); r > 0; r--) {
+      int turned = clockwise ? twin[e] : twin[prev(e)];
+      if (turned == NONE) {
+        clockwise = !clockwise;
+      } else {
+        e = clockwise ? next(turned) : turned;
+      }
+    }
+    return e;
+  }
+
+  /**
+   * A vertex from lo to hi − 1, other than v, of which nothing is wished: the nearer of the two
+   * that come before and after v along the curve, or NONE.
+   */
+  int freeVertexNear(int v, int lo, int hi) {
+    if (free.length == 0) {
+      return NONE;
+    }
+    int place = Arrays.binarySearch(free, v);
+    int after = place < 0 ? -place - 1 : place + 1;
+    int before = place < 0 ? after - 1 : place - 1;
+    int u = before >= 0 && free[before] >= lo ? free[before] : NONE;
+    int w = after < free.length && free[after] < hi ? free[after] : NONE;
+    if (u == NONE || w == NONE) {
+      return Math.max(u, w);
+    }
+    return squaredDistance(u, v) < squaredDistance(w, v) ? u : w;
+  }
+
+  /** Whether the turn from a by b to c is strictly to the left. */
+  boolean isLeftTurn(double ax, double ay, double bx, double by, double cx, double cy) {
+    if (plain) {
+      return (ax - cx) * (by - cy) > (ay - cy) * (bx - cx);
+    }
+    return Predicates.orient(ax, ay, bx, by, cx, cy) > 0;
+  }
+
+  /**
+   * Turns the edge of e in the quadrilateral of its two triangles, which is strictly convex.
+   *
+   * <pre>
+   *       c                c
+   *     ↗   ↖            ↗ ↑ ↖
+   *   a ── e → b   →   a   e   b
+   *     ↘   ↗            ↘ │ ↗
+   *       d                d
+   * </pre>
+   */
+  void flip(int e) {
+    int t = twin[e];
+    int bc = next(e);
+    int ca = prev(e);
+    int ad = next(t);
+    int db = prev(t);
+    int a = corner[e];
+    int b = corner[t];
+    int c = corner[ca];
+    int d = corner[db];
+    int beyondAd = twin[ad];
+    int beyondBc = twin[bc];
+    // e's triangle becomes d c a, its twin's c d b.
+    corner[e] = d;
+    corner[bc] = c;
+    corner[ca] = a;
+    corner[t] = c;
+    corner[ad] = d;
+    corner[db] = b;
+    link(bc, twin[ca]);
+    link(ca, beyondAd);
+    link(ad, twin[db]);
+    link(db, beyondBc);
+    out[a] = ca;
+    out[b] = db;
+    out[c] = t;
+    out[d] = e;
+    wrong[a] ^= 1;
+    wrong[b] ^= 1;
+    wrong[c] ^= 1;
+    wrong[d] ^= 1;
+  }
+
+  /** Makes two half-edges twins; the second may be NONE. */
+  void link(int e, int other) {
+    twin[e] = other;
+    if (other != NONE) {
+      twin[other] = e;
+    }
+  }
+
+  /** The square of the distance between two vertices. */
+  double squaredDistance(int u, int v) {
+    double dx = x[u] - x[v];
+    double dy = y[u] - y[v];
+    return dx * dx + dy * dy;
+  }
+
+  /** This mesh as a triangulation of the sites in their own numbers, in linear time. */
+  Triangulation toTriangulation(Triangulation start) {
+    return new MeshExport(this, site).toTriangulation(start);
+  }
+}

@@ -1,0 +1,190 @@
+package dct.core.degree.best;
+
+import static dct.testing.TriangulationAssert.assertThat;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.SearchLimits;
+import dct.core.degree.search.PolygonImprover;
+import dct.core.geometry.Points;
+import dct.core.geometry.SimplePolygon;
+import dct.core.triangulate.MonotoneTriangulation;
+import dct.core.triangulate.Triangulation;
+import dct.testing.EveryTriangulation;
+import dct.testing.RandomPolygons;
+import dct.testing.SharedData;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+class PolygonOptimizerTest {
+
+  private static Optimum optimize(SimplePolygon polygon, ParityGoal goal) {
+    Optimum optimum = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+    assertThat(optimum.triangulation()).isTriangulationOf(polygon);
+    assertThat(optimum.unsatisfied()).isEqualTo(goal.unsatisfied(optimum.triangulation()));
+    return optimum;
+  }
+
+  @Test
+  void equalsBruteForceForEvenOddAndRandomWishes() {
+    for (RandomPolygons.Family family : RandomPolygons.families()) {
+      for (int seed = 0; seed < 120; seed++) {
+        Random random = new Random(seed);
+        Points points = family.maker().make(4 + random.nextInt(8), random);
+        if (points.size() <= 11) {
+          SimplePolygon polygon = SimplePolygon.of(points);
+          for (ParityGoal goal : goals(points.size(), random)) {
+            Optimum optimum = optimize(polygon, goal);
+            assertThat(optimum.unsatisfied())
+                .as("%s, seed %d, %d vertices", family, seed, points.size())
+                .isEqualTo(fewestByBruteForce(polygon, goal));
+            assertThat(optimum.isProven()).isTrue();
+          }
+        }
+      }
+    }
+  }
+
+  private static List<ParityGoal> goals(int n, Random random) {
+    return List.of(ParityGoal.allEven(n), ParityGoal.allOdd(n), randomWishes(n, random));
+  }
+
+  private static ParityGoal randomWishes(int n, Random random) {
+    Wish[] wishes = new Wish[n];
+    for (int v = 0; v < n; v++) {
+      wishes[v] = List.of(Wish.values()).get(random.nextInt(3));
+    }
+    return ParityGoal.of(wishes);
+  }
+
+  private static int fewestByBruteForce(SimplePolygon polygon, ParityGoal goal) {
+    AtomicInteger fewest = new AtomicInteger(Integer.MAX_VALUE);
+    EveryTriangulation.of(
+        polygon,
+        degrees -> {
+          int unsatisfied = 0;
+          for (int k = 0; k < degrees.length; k++) {
+            boolean satisfied = goal.wish(polygon.vertex(k)).isSatisfiedBy(degrees[k]);
+            unsatisfied += satisfied ? 0 : 1;
+          }
+          fewest.accumulateAndGet(unsatisfied, Math::min);
+        });
+    return fewest.get();
+  }
+
+  @Test
+  void reachesThePublishedOptimumOfEveryPolygon() throws IOException {
+    List<Path> files = SharedData.files("polygons");
+    Path table = files.get(0).getParent().resolveSibling("polygon-optimum.tsv");
+    int compared = 0;
+    for (String line : Files.readAllLines(table)) {
+      String[] columns = line.split("\t", -1);
+      if (columns[0].startsWith("polygons/") && !columns[3].equals("-")) {
+        Path file = table.resolveSibling(columns[0]);
+        SimplePolygon polygon = SimplePolygon.of(SharedData.read(file));
+        assertThat(optimize(polygon, ParityGoal.allEven(polygon.size())).unsatisfied())
+            .as(columns[0])
+            .isEqualTo(Integer.parseInt(columns[3]));
+        compared++;
+      }
+    }
+    assertThat(compared).isGreaterThan(60);
+  }
+
+  @Test
+  void convexPolygonsMeetLemmas32And33() {
+    for (int n = 3; n <= 60; n++) {
+      SimplePolygon polygon = SimplePolygon.of(RandomPolygons.convex(n, new Random(n)));
+      int size = polygon.size();
+      Optimum optimum = optimize(polygon, ParityGoal.allEven(size));
+      assertThat(optimum.unsatisfied()).isEqualTo(size % 3 == 0 ? 0 : 2);
+      assertThat(optimum.isProven()).isTrue();
+    }
+  }
+
+  /** Fact 3: with no inner vertices, the arcs between odd vertices alternate to 0 modulo 3. */
+  @Test
+  void theArcsBetweenOddVerticesAlternateToZeroModuloThree() {
+    for (RandomPolygons.Family family : RandomPolygons.families()) {
+      for (int seed = 0; seed < 10; seed++) {
+        SimplePolygon polygon = SimplePolygon.of(family.maker().make(60, new Random(seed)));
+        Optimum optimum = optimize(polygon, ParityGoal.allEven(polygon.size()));
+        assertThat(alternatingArcs(optimum.triangulation()) % 3)
+            .as("%s, seed %d", family, seed)
+            .isZero();
+      }
+    }
+  }
+
+  private static int alternatingArcs(Triangulation triangulation) {
+    int n = triangulation.vertexCount();
+    int first = 0;
+    while (first < n && triangulation.isEven(first)) {
+      first++;
+    }
+    if (first == n) {
+      return n;
+    }
+    int sum = 0;
+    int sign = 1;
+    for (int step = 1; step <= n; step++) {
+      sum += sign;
+      sign = triangulation.isEven((first + step) % n) ? sign : -sign;
+    }
+    return sum;
+  }
+
+  @Test
+  void theImproverComesWithinOnePercentOfTheOptimum() {
+    for (int seed = 0; seed < 3; seed++) {
+      Points points = RandomPolygons.starShaped(1500, new Random(seed));
+      SimplePolygon polygon = SimplePolygon.of(points);
+      ParityGoal goal = ParityGoal.allEven(points.size());
+      PolygonImprover improver =
+          new PolygonImprover(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+
+      Triangulation improved = improver.run(0);
+
+      Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
+      assertThat(improved).isTriangulationOf(polygon);
+      assertThat(goal.unsatisfied(improved))
+          .as("seed %d", seed)
+          .isLessThanOrEqualTo(
+              goal.unsatisfied(PolygonImprover.thesisBest(polygon, goal, monotone)))
+          .isLessThanOrEqualTo(optimize(polygon, goal).unsatisfied() + points.size() / 100);
+    }
+  }
+
+  @Test
+  void aCancelOrATimeLimitReturnsTheBestSoFarAtOnce() {
+    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(3000, new Random(1)));
+    ParityGoal goal = ParityGoal.allEven(polygon.size());
+    Progress cancelled =
+        new Progress() {
+          @Override
+          public void report(double fraction, String message) {}
+
+          @Override
+          public boolean isCancelled() {
+            return true;
+          }
+        };
+
+    Optimum byCancel = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, cancelled);
+    Optimum byTime =
+        PolygonOptimizer.optimize(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
+
+    assertThat(byCancel.interrupted()).isTrue();
+    assertThat(byTime.interrupted()).isTrue();
+    assertThat(byCancel.triangulation()).isTriangulationOf(polygon);
+    assertThat(byTime.triangulation()).isTriangulationOf(polygon);
+  }
+}

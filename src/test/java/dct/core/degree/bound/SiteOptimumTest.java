@@ -1,0 +1,138 @@
+package dct.core.degree.bound;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.DegreeCount;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.exact.ExactSites;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
+import dct.testing.SharedData;
+import dct.testing.TriangulationAssert;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** Bounds and exact optima of sites against optima that other programs computed. */
+class SiteOptimumTest {
+  private static final List<Row> ROWS = new ArrayList<>();
+
+  private record Row(String name, Sites sites, int least, boolean proven) {
+    Triangulation start() {
+      return Delaunay.triangulate(sites, Progress.NONE);
+    }
+
+    ParityGoal goal() {
+      return ParityGoal.allEven(sites.size());
+    }
+  }
+
+  @BeforeAll
+  static void readRows() throws IOException {
+    Path data = SharedData.files("points").get(0).getParent().getParent();
+    Map<String, Points> sets = new HashMap<>();
+    for (String line : Files.readAllLines(data.resolve("site-optimum-sets.txt"))) {
+      String[] words = line.split(" ", 3);
+      DoubleStream pairs = Stream.of(words[2].strip().split(" ")).mapToDouble(Double::parseDouble);
+      sets.put(words[0], Points.ofPairs(pairs.toArray()));
+    }
+    List<String> lines = Files.readAllLines(data.resolve("site-optimum.tsv"));
+    for (String line : lines.subList(1, lines.size())) {
+      String[] cells = line.split("\t", -1);
+      Points points = points(data, sets, cells[0]);
+      assertThat(points.size()).as(cells[0]).isEqualTo(Integer.parseInt(cells[1]));
+      boolean proven = cells[5].equals("yes");
+      ROWS.add(new Row(cells[0], Sites.of(points), Integer.parseInt(cells[4]), proven));
+    }
+  }
+
+  private static Points points(Path data, Map<String, Points> sets, String name) {
+    if (sets.containsKey(name)) {
+      return sets.get(name);
+    }
+    return name.startsWith("lattice") ? lattice(name) : SharedData.read(data.resolve(name));
+  }
+
+  /** All whole points of a rectangle, from a name like {@code lattice3x4}. */
+  private static Points lattice(String name) {
+    String[] sides = name.substring("lattice".length()).split("x", 2);
+    int columns = Integer.parseInt(sides[0]);
+    double[] pairs = new double[2 * columns * Integer.parseInt(sides[1])];
+    for (int i = 0; i < pairs.length; i += 2) {
+      pairs[i] = Math.floorMod(i / 2, columns);
+      pairs[i + 1] = Math.floorDiv(i / 2, columns);
+    }
+    return Points.ofPairs(pairs);
+  }
+
+  @Test
+  void everyProvenOptimumOfFewSitesIsReached() {
+    int solved = 0;
+    for (Row row : ROWS) {
+      if (row.proven && ExactSites.canSolve(row.start())) {
+        Optimum optimum = ExactSites.optimize(row.start(), row.goal(), Progress.NONE);
+        TriangulationAssert.assertThat(optimum.triangulation()).isTriangulationOf(row.sites);
+        assertThat(DegreeCount.of(optimum.triangulation()).odd())
+            .as(row.name)
+            .isEqualTo(row.least)
+            .isEqualTo(optimum.bound().value());
+        solved++;
+      }
+    }
+    System.out.printf("exact optimum: %d of %d rows%n", solved, ROWS.size());
+    assertThat(solved).isGreaterThan(100);
+  }
+
+  @Test
+  void noBoundIsAboveAnOptimumAndEachDecidesItsShare() {
+    Map<String, Integer> decided = new TreeMap<>();
+    List<String> open = new ArrayList<>();
+    for (Row row : ROWS) {
+      HullRing ring = HullRing.of(row.start());
+      single(ring, row.goal()).forEach((name, value) -> count(decided, name, row, value));
+      int best = SiteBounds.of(row.start(), row.goal()).value();
+      count(decided, "best of all", row, best);
+      if (best < row.least) {
+        open.add(row.name + " " + best + "–" + row.least);
+      }
+    }
+    System.out.printf("rows decided, of %d: %s%nnot decided: %s%n", ROWS.size(), decided, open);
+    assertThat(decided.get("best of all")).isGreaterThan(100);
+    assertThat(decided.get("hull walk")).isGreaterThan(decided.get("boundary"));
+    assertThat(decided.get("lattice")).isPositive();
+  }
+
+  private static Map<String, Integer> single(HullRing ring, ParityGoal goal) {
+    Map<String, Integer> values = new TreeMap<>();
+    values.put("boundary", BoundaryColouring.ofSites(ring, goal).value());
+    values.put("degree sum", DegreeSumBound.of(ring, goal).value());
+    values.put("long side", LongSideBound.of(ring, goal).value());
+    values.put("lattice", LatticeBound.of(ring, goal).value());
+    values.put("three hull sites", ThreeHullSites.of(ring, goal, 0).value());
+    values.put("strips", HullWalkBound.ofStrips(ring, goal).map(LowerBound::value).orElse(0));
+    values.put("hull walk", HullWalkBound.ofWalk(ring, goal, -1).map(LowerBound::value).orElse(0));
+    Handshake handshake = new Handshake(goal);
+    values.replaceAll((name, value) -> handshake.roundUp(Math.max(0, value)));
+    return values;
+  }
+
+  private static void count(Map<String, Integer> decided, String name, Row row, int value) {
+    decided.merge(name, value == row.least ? 1 : 0, Integer::sum);
+    decided.merge(name + " (least > 0)", value == row.least && value > 0 ? 1 : 0, Integer::sum);
+    assertThat(value).as("%s: %s", row.name, name).isLessThanOrEqualTo(row.least);
+  }
+}

@@ -1,0 +1,82 @@
+package dct.core.degree.bound;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.exact.ExactSites;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
+import dct.testing.FlipGraph;
+import dct.testing.RandomSets.Family;
+import dct.testing.TriangulationAssert;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Bounds and exact optima of small sets against all their triangulations. */
+class SmallSetsTest {
+  private static final int SEEDS = 14;
+  private static final int MOST = 9;
+
+  private static List<Family> families() {
+    return SmallSets.families();
+  }
+
+  @ParameterizedTest
+  @MethodSource("families")
+  void boundsAreNotAboveAndExactSitesReachTheOptimum(Family family) {
+    for (long seed = 0; seed < SEEDS; seed++) {
+      for (int n = 3; n <= MOST; n++) {
+        Sites sites = family.make(n, 31 * seed + n);
+        if (sites.size() >= 2 && sites.size() <= MOST + 1) {
+          check(sites, "%s, n = %d, seed %d".formatted(family, n, seed), new Random(seed));
+        }
+      }
+    }
+  }
+
+  private static void check(Sites sites, String name, Random random) {
+    Triangulation start = Delaunay.triangulate(sites, Progress.NONE);
+    FlipGraph all = new FlipGraph(sites.points());
+    for (ParityGoal goal : goals(start, random)) {
+      int least = all.least(goal);
+      String what = name + ", " + sites.points().size() + " sites";
+      LowerBound bound = SiteBounds.of(start, goal);
+      assertThat(bound.value()).as("%s: %s", what, bound).isLessThanOrEqualTo(least);
+      assertThat(SiteBounds.quick(start, goal).value()).as(what).isBetween(0, bound.value());
+      if (start.triangleCount() > 0) {
+        checkStrips(HullRing.of(start), goal, least, what);
+      }
+      Optimum optimum = ExactSites.optimize(start, goal, Progress.NONE);
+      TriangulationAssert.assertThat(optimum.triangulation()).isTriangulationOf(sites);
+      assertThat(goal.unsatisfied(optimum.triangulation())).as(what).isEqualTo(least);
+      assertThat(optimum.isProven()).as(what).isTrue();
+    }
+  }
+
+  private static void checkStrips(HullRing ring, ParityGoal goal, int least, String what) {
+    int strips = HullWalkBound.ofStrips(ring, goal).orElseThrow().value();
+    int walk = HullWalkBound.ofWalk(ring, goal, -1).orElseThrow().value();
+    assertThat(walk).as("walk, %s", what).isBetween(strips, least);
+  }
+
+  private static List<ParityGoal> goals(Triangulation start, Random random) {
+    int n = start.vertexCount();
+    List<ParityGoal> goals = new ArrayList<>();
+    goals.add(ParityGoal.allEven(n));
+    goals.add(ParityGoal.allOdd(n));
+    for (int i = 0; i < 3; i++) {
+      goals.add(SmallSets.randomGoal(n, random));
+      if (start.triangleCount() > 0) {
+        goals.add(SmallSets.randomHullGoal(HullRing.of(start), random));
+      }
+    }
+    return goals;
+  }
+}

@@ -1,0 +1,308 @@
+package dct.core.degree.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
+import dct.testing.RandomSets;
+import dct.testing.TriangulationAssert;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SiteOptimizerTest {
+  private static final LowerBound NONE = new LowerBound(0, "none");
+
+  /** Sites with whole coordinates below 10,000, all different. */
+  private static Sites uniform(int n, long seed) {
+    Random random = new Random(seed);
+    double[] pairs = new double[2 * n];
+    for (int i = 0; i < pairs.length; i++) {
+      pairs[i] = random.nextInt(10_000);
+    }
+    return Sites.of(Points.ofPairs(pairs));
+  }
+
+  private static Triangulation delaunay(Sites sites) {
+    return Delaunay.triangulate(sites, Progress.NONE);
+  }
+
+  /** Fact 2 of the boundary: all even only if 3 divides the number of hull sites. */
+  private static LowerBound evenBound(Triangulation t) {
+    return new LowerBound(t.boundaryCount() % 3 == 0 ? 0 : 2, "hull sites mod 3");
+  }
+
+  private static Optimum optimize(Sites sites, ParityGoal goal, LowerBound bound) {
+    Optimum best =
+        SiteOptimizer.optimize(
+            delaunay(sites), goal, bound, new SearchLimits(1, 0.01, 60), Progress.NONE);
+    requireSound(best, sites);
+    return best;
+  }
+
+  private static void requireSound(Optimum best, Sites sites) {
+    TriangulationAssert.assertThat(best.triangulation()).isTriangulationOf(sites);
+    assertThat(best.unsatisfied()).isEqualTo(recount(best.triangulation(), best.goal()));
+  }
+
+  /** Counts the degrees from the edges, without the topology's own degrees. */
+  private static int recount(Triangulation t, ParityGoal goal) {
+    int[] degree = new int[t.vertexCount()];
+    for (int edge = 0; edge < t.edgeCount(); edge++) {
+      degree[t.from(edge)]++;
+      degree[t.to(edge)]++;
+    }
+    int unsatisfied = 0;
+    for (int v = 0; v < degree.length; v++) {
+      unsatisfied += goal.wish(v).isSatisfiedBy(degree[v]) ? 0 : 1;
+    }
+    return unsatisfied;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"100, 1", "100, 2", "100, 3", "300, 4", "1000, 5", "3000, 6", "10000, 7"})
+  void attains_the_bound_on_uniform_sites(int n, long seed) {
+    Sites sites = uniform(n, seed);
+    LowerBound bound = evenBound(delaunay(sites));
+    Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), bound);
+    assertThat(best.unsatisfied()).as("seed %d", seed).isEqualTo(bound.value());
+    assertThat(best.isProven()).isTrue();
+    assertThat(best.interrupted()).isFalse();
+  }
+
+  @Test
+  void attains_the_bound_on_so_many_sites_that_they_are_searched_in_parts() {
+    Sites sites = uniform(40_000, 8);
+    LowerBound bound = evenBound(delaunay(sites));
+    Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), bound);
+    assertThat(best.unsatisfied()).isEqualTo(bound.value());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {99, 100, 1000, 5001})
+  void makes_all_odd_but_at_most_the_one_that_the_handshake_forbids(int n) {
+    Sites sites = uniform(n, n);
+    int parity = sites.size() % 2;
+    Optimum best =
+        optimize(sites, ParityGoal.allOdd(sites.size()), new LowerBound(parity, "handshake"));
+    assertThat(best.unsatisfied()).isEqualTo(parity);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+  void satisfies_random_wishes_but_at_most_the_one_that_the_handshake_forbids(long seed) {
+    Sites sites = uniform(2000, seed);
+    ParityGoal.Wish[] wishes = new ParityGoal.Wish[sites.size()];
+    Random random = new Random(seed);
+    int odd = 0;
+    for (int v = 0; v < wishes.length; v++) {
+      odd += random.nextInt(2) == 0 ? 1 : 0;
+      wishes[v] = ParityGoal.Wish.EVEN;
+    }
+    for (int v = 0; v < odd; v++) {
+      wishes[v] = ParityGoal.Wish.ODD;
+    }
+    List<ParityGoal.Wish> shuffled = new ArrayList<>(List.of(wishes));
+    Collections.shuffle(shuffled, random);
+    Optimum best =
+        optimize(
+            sites,
+            ParityGoal.of(shuffled.toArray(new ParityGoal.Wish[0])),
+            new LowerBound(odd % 2, "handshake"));
+    assertThat(best.unsatisfied()).as("seed %d", seed).isEqualTo(odd % 2);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4})
+  void uses_the_only_vertex_of_which_nothing_is_wished(long seed) {
+    Sites sites = uniform(501, seed);
+    ParityGoal.Wish[] wishes = new ParityGoal.Wish[sites.size()];
+    Arrays.fill(wishes, ParityGoal.Wish.ODD);
+    wishes[17] = ParityGoal.Wish.ANY;
+    assertThat(optimize(sites, ParityGoal.of(wishes), NONE).unsatisfied())
+        .as("seed %d", seed)
+        .isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1000, 40_000})
+  void gives_the_same_for_the_same_seed_and_not_for_another(int n) {
+    Sites sites = uniform(n, 3);
+    int[] once = triangles(sites, 5);
+    assertThat(triangles(sites, 5)).isEqualTo(once);
+    assertThat(triangles(sites, 6)).isNotEqualTo(once);
+  }
+
+  private static int[] triangles(Sites sites, long seed) {
+    Triangulation start = delaunay(sites);
+    return SiteOptimizer.optimize(
+            start,
+            ParityGoal.allEven(sites.size()),
+            evenBound(start),
+            new SearchLimits(seed, 0.01, Double.POSITIVE_INFINITY),
+            Progress.NONE)
+        .triangulation()
+        .triangles();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2, 3", "4, 4", "3, 11", "5, 7", "13, 13", "64, 64"})
+  void attains_two_on_full_lattices(int columns, int rows) {
+    double[] pairs = new double[2 * columns * rows];
+    for (int i = 0; i < columns * rows; i++) {
+      int row = i / columns;
+      pairs[2 * i] = i % columns;
+      pairs[2 * i + 1] = row;
+    }
+    Sites sites = Sites.of(Points.ofPairs(pairs));
+    LowerBound two = new LowerBound(2, "a full lattice rectangle");
+    assertThat(optimize(sites, ParityGoal.allEven(columns * rows), two).isProven()).isTrue();
+  }
+
+  @Test
+  void anneals_where_descent_stops_and_gives_the_same_for_the_same_seed() {
+    Sites sites = perpendicularLines(15); // attains 4, so that a bound of 0 sets everything going
+    Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), NONE);
+    Optimum again = optimize(sites, ParityGoal.allEven(sites.size()), NONE);
+    assertThat(best.interrupted()).isFalse();
+    assertThat(again.triangulation().triangles()).isEqualTo(best.triangulation().triangles());
+  }
+
+  /** Sites on both axes, the origin among them. */
+  private static Sites perpendicularLines(int n) {
+    double[] pairs = new double[4 * n];
+    int half = n / 2;
+    for (int i = 0; i < n; i++) {
+      pairs[2 * i] = i - half;
+      pairs[2 * n + 2 * i + 1] = i - half;
+    }
+    return Sites.of(Points.ofPairs(pairs));
+  }
+
+  @Test
+  void returns_the_start_where_it_is_as_good_as_the_bound() {
+    Sites sites = uniform(200, 1);
+    Triangulation start = delaunay(sites);
+    ParityGoal goal = ParityGoal.allEven(sites.size());
+    LowerBound weak = new LowerBound(goal.unsatisfied(start), "as it is");
+    Optimum best = SiteOptimizer.optimize(start, goal, weak, SearchLimits.DEFAULT, Progress.NONE);
+    assertThat(best.triangulation()).isSameAs(start);
+    assertThat(best.isProven()).isTrue();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {2, 3, 10})
+  void leaves_sites_on_one_line_as_they_are(int n) {
+    double[] pairs = new double[2 * n];
+    for (int i = 0; i < n; i++) {
+      pairs[2 * i] = i;
+      pairs[2 * i + 1] = 3 * i;
+    }
+    Sites sites = Sites.of(Points.ofPairs(pairs));
+    assertThat(optimize(sites, ParityGoal.allEven(n), NONE).interrupted()).isFalse();
+  }
+
+  @Test
+  void is_never_worse_than_the_start_on_structured_sites() {
+    for (RandomSets.Family family : RandomSets.families()) {
+      for (int n = 4; n < 60; n += 18) {
+        Sites sites = family.make(n, 11);
+        Triangulation start = delaunay(sites);
+        ParityGoal goal = ParityGoal.allEven(sites.size());
+        Optimum best = optimize(sites, goal, NONE);
+        assertThat(best.unsatisfied())
+            .as("%s, n = %d, seed 11", family, n)
+            .isLessThanOrEqualTo(goal.unsatisfied(start));
+      }
+    }
+  }
+
+  @Test
+  void cancelled_before_the_start_gives_the_start() {
+    Sites sites = uniform(500, 2);
+    Optimum best = cancelledAfter(sites, 0);
+    assertThat(best.interrupted()).isTrue();
+    assertThat(best.unsatisfied()).isEqualTo(best.goal().unsatisfied(delaunay(sites)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 5, 20, 60})
+  void cancelled_on_the_way_gives_the_best_so_far(int looks) {
+    for (int n : new int[] {8000, 30_000}) {
+      Sites sites = uniform(n, 2);
+      Optimum best = cancelledAfter(sites, looks);
+      requireSound(best, sites);
+      assertThat(best.interrupted()).isTrue();
+      assertThat(best.unsatisfied()).isLessThan(best.goal().unsatisfied(delaunay(sites)));
+    }
+  }
+
+  private static Optimum cancelledAfter(Sites sites, int looks) {
+    AtomicInteger left = new AtomicInteger(looks);
+    Progress cancelling =
+        new Progress() {
+          @Override
+          public void report(double fraction, String message) {}
+
+          @Override
+          public boolean isCancelled() {
+            return left.decrementAndGet() < 0;
+          }
+        };
+    Triangulation start = delaunay(sites);
+    ParityGoal goal = ParityGoal.allEven(sites.size());
+    return SiteOptimizer.optimize(start, goal, NONE, SearchLimits.DEFAULT, cancelling);
+  }
+
+  @Test
+  void a_limit_of_time_that_is_up_gives_the_start() {
+    Sites sites = uniform(500, 2);
+    Triangulation start = delaunay(sites);
+    Optimum best =
+        SiteOptimizer.optimize(
+            start,
+            ParityGoal.allEven(sites.size()),
+            NONE,
+            new SearchLimits(1, 1, 0),
+            Progress.NONE);
+    assertThat(best.interrupted()).isTrue();
+    assertThat(best.triangulation()).isSameAs(start);
+  }
+
+  @Test
+  void reports_the_best_count_so_far() {
+    List<String> messages = Collections.synchronizedList(new ArrayList<>());
+    Progress listening =
+        new Progress() {
+          @Override
+          public void report(double fraction, String message) {
+            assertThat(fraction).isBetween(0.0, 1.0);
+            messages.add(message);
+          }
+
+          @Override
+          public boolean isCancelled() {
+            return false;
+          }
+        };
+    Sites sites = uniform(30_000, 9);
+    Triangulation start = delaunay(sites);
+    SiteOptimizer.optimize(
+        start, ParityGoal.allEven(sites.size()), evenBound(start), SearchLimits.DEFAULT, listening);
+    assertThat(messages).hasSizeGreaterThan(3).allMatch(m -> m.matches("Best so far: \\d+ .*"));
+  }
+}
