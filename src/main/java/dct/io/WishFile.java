@@ -32,6 +32,22 @@ public final class WishFile {
     return PointFile.open(file, (name, in) -> read(name, in, n));
   }
 
+  /**
+   * Writes the wishes that are not even.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, ParityGoal goal) throws CannotWriteException {
+    StringBuilder lines = new StringBuilder();
+    for (int v = 0; v < goal.size(); v++) {
+      if (goal.wish(v) != Wish.EVEN) {
+        lines.append(v).append(' ').append(word(goal.wish(v))).append('\n');
+      }
+    }
+    byte[] bytes = lines.toString().getBytes(StandardCharsets.UTF_8);
+    AtomicFile.write(file, out -> out.write(bytes));
+  }
+
   private static ParityGoal read(String name, InputStream in, int n) throws IOException {
     Wish[] wishes = new Wish[n];
     Arrays.fill(wishes, Wish.EVEN);
@@ -57,7 +73,7 @@ public final class WishFile {
     while (gap < content.length() && Character.isDigit(content.charAt(gap))) {
       gap++;
     }
-    Optional<Wish> wish = word(content.substring(gap).strip());
+    Optional<Wish> wish = wish(content.substring(gap).strip());
     if (gap == 0 || gap > 9 || wish.isEmpty()) {
       throw new BadInputException(name, line, "this is no wish for a vertex; " + FORM);
     }
@@ -72,10 +88,11 @@ public final class WishFile {
     wishes[vertex] = wish.get();
   }
 
-  /** The wish that a word stands for. */
-  static Optional<Wish> word(String word) {
-    return Arrays.stream(Wish.values())
-        .filter(wish -> wish.name().toLowerCase(Locale.ROOT).equals(word))
-        .findFirst();
+  private static Optional<Wish> wish(String word) {
+    return Arrays.stream(Wish.values()).filter(wish -> word(wish).equals(word)).findFirst();
+  }
+
+  private static String word(Wish wish) {
+    return wish.name().toLowerCase(Locale.ROOT);
   }
 }

@@ -14,6 +14,11 @@ public final class Caption {
 
   private Caption() {}
 
+  /** Where so many lines end, the first of them beginning at this height. */
+  static double bottom(double top, int lines) {
+    return lines == 0 ? top : top + LEADING * lines;
+  }
+
   /**
    * Writes the lines below each other; nothing if there are none.
    *

@@ -23,6 +23,8 @@ public enum Ink {
   FLIPPED(0xE812D2, 0xFF6BF0),
   /** Edges and places that keep a polygon from being simple: red. */
   DEFECT(0xD8000C, 0xFF4D4F),
+  /** Rings round vertices that do not have the parity wished: orange. */
+  UNMET(0xF06400, 0xFF9838),
   /** Vertices whose degree is not decided yet. */
   VERTEX(0x3C4350, 0xC4C9D4),
   /** Words and numbers. */

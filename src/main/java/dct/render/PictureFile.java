@@ -21,7 +21,6 @@ public final class PictureFile {
   /** The height of a picture unless asked otherwise. */
   public static final int HEIGHT = 700;
 
-  private static final int MARGIN = 40;
   private static final Theme THEME = Theme.LIGHT;
 
   /** The formats of pictures. */
@@ -70,10 +69,7 @@ public final class PictureFile {
 
   /** The viewport of a picture of the whole scene. */
   public static Viewport fitted(Scene scene) {
-    return scene
-        .bounds()
-        .map(box -> Viewport.fit(box, WIDTH, HEIGHT, MARGIN, false))
-        .orElse(Viewport.IDENTITY);
+    return ScenePainter.fitted(scene, WIDTH, HEIGHT, false);
   }
 
   private static void write(

@@ -3,14 +3,19 @@ package dct.render;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * What is to be drawn, without saying where and with what; immutable.
@@ -37,21 +42,37 @@ public final class Scene {
   private final int[] degrees; // by vertex; null while nothing is triangulated
   private final List<String> counts;
   private final List<Defect> defects;
+  private final int[] unmet; // the vertices that do not have the parity wished
   private final Labels labels;
+  private final ParityGoal wishes; // null if every vertex is wished even
 
+  /** A scene in which nothing is said of wishes. */
   private Scene(
       Points points,
       List<EdgeLayer> layers,
       int[] degrees,
       List<String> counts,
-      List<Defect> defects,
-      Labels labels) {
+      List<Defect> defects) {
     this.points = points;
     this.layers = List.copyOf(layers);
     this.degrees = degrees;
     this.counts = List.copyOf(counts);
     this.defects = List.copyOf(defects);
+    this.unmet = new int[0];
+    this.labels = Labels.NONE;
+    this.wishes = null;
+  }
+
+  /** The same with other marks at the vertices. */
+  private Scene(Scene scene, int[] unmet, Labels labels, ParityGoal wishes) {
+    this.points = scene.points;
+    this.layers = scene.layers;
+    this.degrees = scene.degrees;
+    this.counts = scene.counts;
+    this.defects = scene.defects;
+    this.unmet = unmet;
     this.labels = labels;
+    this.wishes = wishes;
   }
 
   /** A triangulation and its counts. */
@@ -68,26 +89,47 @@ public final class Scene {
             "After: " + words(DegreeCount.of(result.after()))));
   }
 
-  /** The best triangulation found, with its counts and what is proven of them. */
+  /**
+   * The best triangulation found, with its counts and what is proven of them; vertices that do not
+   * have the parity wished are ringed.
+   */
   public static Scene of(Optimum best) {
     Triangulation triangulation = best.triangulation();
-    String counts = words(DegreeCount.of(triangulation));
-    return of(triangulation, List.of(counts + " — " + best.verdict()));
+    Scene scene = of(triangulation, verdict(best));
+    Scene ringed = new Scene(scene, unmet(best), Labels.NONE, null);
+    return isOneForAll(best.goal()) ? ringed : ringed.withWishes(best.goal());
+  }
+
+  private static boolean isOneForAll(ParityGoal goal) {
+    return goal.isAll(Wish.EVEN) || goal.isAll(Wish.ODD);
+  }
+
+  private static List<String> verdict(Optimum best) {
+    String counts = words(DegreeCount.of(best.triangulation()));
+    if (isOneForAll(best.goal())) {
+      return List.of(counts + " — " + best.verdict());
+    }
+    int satisfied = best.goal().size() - best.unsatisfied();
+    return List.of(
+        counts,
+        "Satisfied %d · Unsatisfied %d — %s"
+            .formatted(satisfied, best.unsatisfied(), best.verdict()));
+  }
+
+  private static int[] unmet(Optimum best) {
+    return IntStream.range(0, best.goal().size())
+        .filter(v -> !best.goal().isSatisfied(best.triangulation(), v))
+        .toArray();
   }
 
   private static Scene of(Triangulation triangulation, List<String> counts) {
     return new Scene(
-        triangulation.points(),
-        layers(triangulation),
-        degrees(triangulation),
-        counts,
-        List.of(),
-        Labels.NONE);
+        triangulation.points(), layers(triangulation), degrees(triangulation), counts, List.of());
   }
 
   /** Points that nothing connects yet. */
   public static Scene sites(Points points) {
-    return new Scene(points, List.of(), null, List.of(), List.of(), Labels.NONE);
+    return new Scene(points, List.of(), null, List.of(), List.of());
   }
 
   /**
@@ -107,12 +149,22 @@ public final class Scene {
       chain.add(v - 1, v);
     }
     List<EdgeLayer> layers = List.of(closing, chain, defectLayer(defects));
-    return new Scene(points, layers, null, List.of(), defects, Labels.NONE);
+    return new Scene(points, layers, null, List.of(), defects);
   }
 
   /** This scene with other labels. */
   public Scene withLabels(Labels wished) {
-    return new Scene(points, layers, degrees, counts, defects, wished);
+    return new Scene(this, unmet, wished, wishes);
+  }
+
+  /**
+   * This scene with the wishes written beside the vertices that are not wished even. Wishes that
+   * are not for these vertices are left out: while a site is dragged over another, one of the two
+   * is missing.
+   */
+  public Scene withWishes(ParityGoal goal) {
+    boolean any = goal.size() == points.size() && !goal.isAll(Wish.EVEN);
+    return new Scene(this, unmet, labels, any ? goal : null);
   }
 
   /** The vertices. */
@@ -163,11 +215,29 @@ public final class Scene {
     return defects;
   }
 
+  /** The vertices that do not have the parity wished. */
+  int[] unmet() {
+    return unmet;
+  }
+
+  /** Whether anything is written beside the vertices. */
+  boolean hasLabels() {
+    return labels.any() || wishes != null;
+  }
+
   /** What is written beside vertex v; empty if nothing is. */
   String label(int v) {
-    String number = labels.numbers() ? "v" + v : "";
-    String degree = labels.degrees() && degrees != null ? Integer.toString(degrees[v]) : "";
-    return number.isEmpty() || degree.isEmpty() ? number + degree : number + " · " + degree;
+    List<String> words = new ArrayList<>();
+    if (labels.numbers()) {
+      words.add("v" + v);
+    }
+    if (labels.degrees() && degrees != null) {
+      words.add(Integer.toString(degrees[v]));
+    }
+    if (wishes != null && wishes.wish(v) != Wish.EVEN) {
+      words.add(wishes.wish(v).name().toLowerCase(Locale.ROOT));
+    }
+    return String.join(" · ", words);
   }
 
   private static String words(DegreeCount count) {

@@ -14,7 +14,11 @@ public final class ScenePainter {
   private static final double LARGEST_DOT = 4.5;
   private static final double SMALLEST_DOT = 0.6;
   private static final double MARGIN = 12;
+  private static final double FIT_MARGIN = 40;
+  private static final double FIT_GAP = 16; // room for rings and labels below the counts
   private static final double DEFECT_RING = 10;
+  private static final double UNMET_GAP = 4;
+  private static final double UNMET_WIDTH = 2;
 
   private final Scene scene;
   private final Box clip;
@@ -46,11 +50,25 @@ public final class ScenePainter {
     ScenePainter painter = new ScenePainter(scene, view, screen, pen);
     painter.edges();
     painter.vertices();
+    painter.unmet();
     painter.defects(view);
-    if (scene.labels().any()) {
+    if (scene.hasLabels()) {
       new LabelPainter(scene, painter.x, painter.y, screen, painter.dot).paint(pen);
     }
     painter.counts();
+  }
+
+  /**
+   * The viewport that shows the whole scene as large as it fits on a screen of this size, below its
+   * counts and with a margin on each side; actual size if there are no vertices.
+   */
+  public static Viewport fitted(Scene scene, double width, double height, boolean yUp) {
+    double top = Math.max(FIT_MARGIN, Caption.bottom(MARGIN, scene.counts().size()) + FIT_GAP);
+    double lower = top - FIT_MARGIN;
+    return scene
+        .bounds()
+        .map(box -> Viewport.fit(box, width, height - lower, FIT_MARGIN, yUp).panned(0, lower))
+        .orElse(Viewport.IDENTITY);
   }
 
   /** The radius of the dots at the vertices, in pixels: smaller where they crowd. */
@@ -108,6 +126,19 @@ public final class ScenePainter {
         } else {
           pen.disc(x[v], y[v], dot);
         }
+      }
+    }
+  }
+
+  private void unmet() {
+    if (scene.unmet().length > 0) {
+      pen.style(Stroke.solid(Ink.UNMET, UNMET_WIDTH));
+    }
+    double radius = dot + UNMET_GAP;
+    Box near = clip.grown(radius + UNMET_WIDTH);
+    for (int v : scene.unmet()) {
+      if (near.holds(x[v], y[v])) {
+        pen.ring(x[v], y[v], radius);
       }
     }
   }

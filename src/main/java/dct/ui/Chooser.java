@@ -10,6 +10,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 /** The file panels. Each kind begins in the folder where it was last. */
 enum Chooser {
   DOCUMENTS("Polygons and sites (*.txt)", "txt"),
+  WISHES("Wished parities (*.txt)", "txt"),
   PICTURES("Pictures (*.png, *.svg)", "png svg");
 
   private final String filter;

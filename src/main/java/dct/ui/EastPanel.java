@@ -39,6 +39,7 @@ final class EastPanel extends JPanel {
   private final transient Map<Tool, AbstractButton> tools = new LinkedHashMap<>();
   private final Map<Domain, JComponent> buttons = new EnumMap<>(Domain.class);
   private final CoordinateList coordinates = new CoordinateList();
+  private final ButtonGroup oneTool = new ButtonGroup();
   private JComponent toolBoxes;
 
   EastPanel(
@@ -78,18 +79,16 @@ final class EastPanel extends JPanel {
     return column;
   }
 
-  /** Checkboxes, as in the thesis; of their group just one is chosen. */
+  /** Checkboxes, as in the thesis; at most one of them is chosen, none for a tool of the menu. */
   private JComponent tools(Map<Tool, Command> commands) {
-    ButtonGroup oneOfThem = new ButtonGroup();
-    JComponent column = column(commands.size());
+    JComponent column = column(workbench.boxes().size());
     column.setBorder(BorderFactory.createEmptyBorder(14, 0, 0, 0));
-    commands.forEach(
-        (tool, command) -> {
-          JCheckBox box = new JCheckBox(command);
-          oneOfThem.add(box);
-          tools.put(tool, named(box, command));
-          column.add(box);
-        });
+    for (Tool tool : workbench.boxes()) {
+      JCheckBox box = new JCheckBox(commands.get(tool));
+      oneTool.add(box);
+      tools.put(tool, named(box, commands.get(tool)));
+      column.add(box);
+    }
     return column;
   }
 
@@ -128,7 +127,8 @@ final class EastPanel extends JPanel {
   /** Shows the state of the workbench. */
   void refresh() {
     workbench.domain().ifPresent(domain -> applications.get(domain).setSelected(true));
-    workbench.tool().ifPresent(tool -> tools.get(tool).setSelected(true));
+    oneTool.clearSelection();
+    workbench.tool().map(tools::get).ifPresent(box -> box.setSelected(true));
     toolBoxes.setVisible(workbench.domain().isPresent());
     buttons.forEach(
         (domain, column) ->

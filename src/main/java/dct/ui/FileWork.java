@@ -42,6 +42,11 @@ final class FileWork {
     this.shown = shown;
   }
 
+  /** The folder of the file that was opened or saved last. */
+  Optional<Path> folder() {
+    return folder;
+  }
+
   /** Begins an empty document of the chosen application. */
   void startAnew() {
     workbench.active().ifPresent(editor -> unlessLost(editor, () -> startAnew(editor)));
@@ -99,8 +104,23 @@ final class FileWork {
     }
   }
 
-  /** Does something that replaces the document; asks first if it has changes. */
+  /** Does something that replaces the document; asks first if it has changes or wishes. */
   private void unlessLost(Editor editor, Runnable then) {
+    unlessChangesLost(editor, () -> unlessWishesLost(editor, then));
+  }
+
+  private void unlessWishesLost(Editor editor, Runnable then) {
+    String question =
+        editor.name()
+            + " has wished parities that are not saved; Triangulate ▸ Wished Parities… can save"
+            + " them.";
+    if (!editor.history().hasUnsavedWishes()
+        || Ask.confirm(window, "Unsaved Wishes", question, "Discard Wishes")) {
+      then.run();
+    }
+  }
+
+  private void unlessChangesLost(Editor editor, Runnable then) {
     if (!editor.history().isChanged()) {
       then.run();
       return;
@@ -188,7 +208,7 @@ final class FileWork {
   List<String> unsaved() {
     return List.of(Domain.values()).stream()
         .map(workbench::editor)
-        .filter(editor -> editor.history().isChanged())
+        .filter(editor -> editor.history().isChanged() || editor.history().hasUnsavedWishes())
         .map(Editor::name)
         .toList();
   }

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Domain;
 import dct.ui.command.Command;
 import dct.ui.document.Edit;
@@ -11,6 +12,7 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
 
 /** The commands of the main window that work on the documents. */
 final class MainCommands {
@@ -21,6 +23,7 @@ final class MainCommands {
   private final Map<Domain, Command> applications = new EnumMap<>(Domain.class);
   private final Map<Tool, Command> tools = new LinkedHashMap<>();
   private final Map<PolygonMethod, Command> methods = new EnumMap<>(PolygonMethod.class);
+  private final WishWork wishes;
   private final List<Command> goals = new ArrayList<>();
   private final Command undo;
   private final Command redo;
@@ -28,10 +31,11 @@ final class MainCommands {
   private final Command flip;
   private final Command random;
 
-  MainCommands(Workbench workbench, PolygonResults polygons, SitesWork sites) {
+  MainCommands(Workbench workbench, PolygonResults polygons, SitesWork sites, WishWork wishes) {
     this.workbench = workbench;
     this.polygons = polygons;
     this.sites = sites;
+    this.wishes = wishes;
     undo = add("Undo", "ctrl Z", "Takes the last edit back", () -> onActive(Editor::undo));
     redo = add("Redo", "ctrl shift Z", "Does it again; also Ctrl+Y", () -> onActive(Editor::redo));
     clear = add("Clear Canvas", "ctrl DELETE", "Removes all vertices", this::clearCanvas);
@@ -72,7 +76,8 @@ final class MainCommands {
             "Draw Vertex", "A click adds a vertex",
             "Delete Vertex", "A click removes a vertex",
             "Edit Vertex", "A drag moves a vertex",
-            "Split Vertex", "A click splits the closest edge by a new vertex");
+            "Split Vertex", "A click splits the closest edge by a new vertex",
+            "Wish Parity", "A click changes the parity wished of a vertex: even, odd, any");
     for (Tool tool : workbench.tools()) {
       String key = KeyEvent.getKeyText(tool.key());
       tools.put(
@@ -98,9 +103,20 @@ final class MainCommands {
   private void addGoals() {
     for (MostVertices most : MostVertices.values()) {
       goals.add(
-          add(most.title(), most.key(), most.description(), () -> optimize(most))
+          add(
+                  most.title(),
+                  most.key(),
+                  most.description(),
+                  () -> optimize(most.title(), most::goal))
               .enabledWhen(() -> workbench.domain().isPresent()));
     }
+    goals.add(
+        add(
+                "Wished Parities…",
+                "ctrl shift W",
+                "Finds the triangulation that grants the most wishes",
+                () -> wishes.ask(this::optimize))
+            .enabledWhen(() -> workbench.domain().isPresent()));
   }
 
   private void addConditions() {
@@ -150,11 +166,11 @@ final class MainCommands {
     }
   }
 
-  private void optimize(MostVertices most) {
+  private void optimize(String what, IntFunction<ParityGoal> goal) {
     if (isChosen(Domain.POLYGON)) {
-      polygons.optimize(most);
+      polygons.optimize(what, goal);
     } else {
-      sites.optimize(most);
+      sites.optimize(what, goal);
     }
   }
 

@@ -45,8 +45,9 @@ public final class MainWindow extends JFrame {
     status = new StatusBar(workbench.jobs()::cancelCurrent);
     polygons = new PolygonResults(workbench, this);
     SitesWork sites = new SitesWork(this, workbench, canvas::showWell);
-    commands = new MainCommands(workbench, polygons, sites);
     files = new FileWork(this, workbench, this::showOpened);
+    WishWork wishes = new WishWork(this, workbench, files::folder);
+    commands = new MainCommands(workbench, polygons, sites, wishes);
     east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
     MainMenu menu = new MainMenu(this, canvas, files, commands);
     setJMenuBar(menu.bar());

@@ -2,6 +2,7 @@ package dct.ui;
 
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
+import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
@@ -14,6 +15,7 @@ import dct.ui.document.Editor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import javax.swing.JFrame;
 
 /**
@@ -61,20 +63,26 @@ final class PolygonResults {
         result -> showFlips(document, result, from == null ? owner : from.frame));
   }
 
-  /** Shows the triangulation with the most vertices of this parity, or the best found on Cancel. */
-  void optimize(MostVertices most) {
+  /**
+   * Shows the triangulation in which the most vertices have the parity wished, or the best found on
+   * Cancel.
+   *
+   * @param what what is being done, for a person to read
+   * @param goal the wishes for n vertices
+   */
+  void optimize(String what, IntFunction<ParityGoal> goal) {
     Document document = document();
     workbench
         .jobs()
         .submitSearch(
-            most.title(),
+            what,
             progress ->
                 BestTriangulation.of(
                     SimplePolygon.of(document.points()),
-                    most.goal(document.size()),
+                    goal.apply(document.size()),
                     SearchLimits.DEFAULT,
                     progress),
-            best -> show(document, best.triangulation(), Scene.of(best), most.title(), owner));
+            best -> show(document, best.triangulation(), Scene.of(best), what, owner));
   }
 
   private Document document() {

@@ -1,15 +1,18 @@
 package dct.ui;
 
+import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.RandomSites;
+import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import java.awt.Component;
 import java.util.OptionalInt;
+import java.util.function.IntFunction;
 import javax.swing.JOptionPane;
 
 /** What the buttons of Point Sites Based do. */
@@ -46,22 +49,33 @@ final class SitesWork {
     }
   }
 
-  /** Shows the triangulation with the most sites of this parity, or the best found on Cancel. */
-  void optimize(MostVertices most) {
+  /**
+   * Shows the triangulation in which the most sites have the parity wished, or the best found on
+   * Cancel.
+   *
+   * @param what what is being done, for a person to read
+   * @param goal the wishes for n sites
+   */
+  void optimize(String what, IntFunction<ParityGoal> goal) {
     Editor editor = workbench.editor(Domain.SITES);
+    Document searched = editor.shown().document();
     Triangulation before = editor.shown().triangulation().orElse(null);
     if (before == null) {
       workbench.say("There is no triangulation to improve yet; draw three sites or more");
       return;
     }
+    if (!searched.equals(editor.document())) {
+      workbench.say("The sites are still being triangulated; try again when that is done");
+      return;
+    }
     workbench
         .jobs()
         .submitSearch(
-            most.title(),
+            what,
             progress ->
                 BestTriangulation.of(
-                    before, most.goal(before.vertexCount()), SearchLimits.DEFAULT, progress),
-            best -> editor.showOptimum(before, best));
+                    before, goal.apply(before.vertexCount()), SearchLimits.DEFAULT, progress),
+            best -> editor.showOptimum(searched, best));
   }
 
   /** Asks for a number and puts so many random sites in place of those there are. */

@@ -14,6 +14,7 @@ import dct.ui.tool.EditTool;
 import dct.ui.tool.SplitTool;
 import dct.ui.tool.Tool;
 import dct.ui.tool.ToolContext;
+import dct.ui.tool.WishTool;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -21,6 +22,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /**
  * The state of a main window: the two applications' editors, which of them is chosen, and the tool.
@@ -31,7 +33,8 @@ public final class Workbench implements ToolContext {
   private final Map<Domain, Editor> editors = new EnumMap<>(Domain.class);
   private final Tool draw = new DrawTool();
   private final Tool edit = new EditTool();
-  private final List<Tool> tools = List.of(draw, new DeleteTool(), edit, new SplitTool());
+  private final Tool wish = new WishTool();
+  private final List<Tool> boxes = List.of(draw, new DeleteTool(), edit, new SplitTool());
   private final List<Runnable> listeners = new ArrayList<>();
   private final Supplier<Viewport> viewport;
   private final Consumer<String> status;
@@ -89,9 +92,14 @@ public final class Workbench implements ToolContext {
     return editors.get(of);
   }
 
-  /** The tools, in the order of their checkboxes. */
+  /** The thesis's tools, in the order of their checkboxes. */
+  public List<Tool> boxes() {
+    return boxes;
+  }
+
+  /** All tools, in the order of the menu. */
   public List<Tool> tools() {
-    return tools;
+    return Stream.concat(boxes.stream(), Stream.of(wish)).toList();
   }
 
   /** The chosen tool, in an application. */

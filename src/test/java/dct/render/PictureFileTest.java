@@ -2,6 +2,7 @@ package dct.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.StringReader;
@@ -29,17 +30,22 @@ class PictureFileTest {
     assertThat(image.getHeight()).isEqualTo(700);
     Viewport view = PictureFile.fitted(scene);
     // v2 has three edges after the flip, v0 two.
-    assertThat(at(image, view, 400, 200)).isEqualTo(Ink.ODD.rgb(Theme.LIGHT));
-    assertThat(at(image, view, 100, 100)).isEqualTo(Ink.EVEN.rgb(Theme.LIGHT));
-    assertThat(at(image, view, 200, 200)).isEqualTo(Ink.FLIPPED.rgb(Theme.LIGHT));
-    assertThat(at(image, view, 250, 250)).isEqualTo(Ink.PARTITION.rgb(Theme.LIGHT));
+    requireInk(image, view, Ink.ODD, 400, 200);
+    requireInk(image, view, Ink.EVEN, 100, 100);
+    requireInk(image, view, Ink.FLIPPED, 200, 200);
+    requireInk(image, view, Ink.PARTITION, 250, 250);
     assertThat(image.getRGB(2, 2) & 0xFFFFFF).isEqualTo(0xFFFFFF);
   }
 
-  private static int at(BufferedImage image, Viewport view, double x, double y) {
+  /** The pixel there has this colour, or most of it: lines are smoothed. */
+  private static void requireInk(BufferedImage image, Viewport view, Ink ink, double x, double y) {
     int px = (int) Math.round(view.screenX(x));
     int py = (int) Math.round(view.screenY(y));
-    return image.getRGB(px, py) & 0xFFFFFF;
+    for (int shift = 0; shift <= 16; shift += 8) {
+      assertThat((image.getRGB(px, py) >> shift) & 0xFF)
+          .as("%s at (%s, %s)", ink, x, y)
+          .isCloseTo((ink.rgb(Theme.LIGHT) >> shift) & 0xFF, within(60));
+    }
   }
 
   @Test

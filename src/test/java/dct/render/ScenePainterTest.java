@@ -3,6 +3,10 @@ package dct.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.groups.Tuple.tuple;
 
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.render.RecordingPen.Shape;
@@ -118,6 +122,65 @@ class ScenePainterTest {
     assertThat(painted(scene.withLabels(new Labels(false, true))).texts()).contains("3", "2", "4");
     assertThat(painted(scene.withLabels(new Labels(true, true))).texts())
         .contains("v0 · 3", "v2 · 4");
+  }
+
+  @Test
+  void aFittedSceneKeepsClearOfItsCounts() {
+    Scene scene = Scene.of(Fixtures.flippedPentagon());
+    RecordingPen pen = new RecordingPen();
+    ScenePainter.paint(scene, ScenePainter.fitted(scene, 1000, 700, false), SCREEN, pen);
+    double lowest =
+        pen.shapes.stream()
+            .filter(s -> s.kind().equals("text"))
+            .mapToDouble(Shape::y)
+            .max()
+            .orElseThrow();
+    assertThat(pen.shapes)
+        .filteredOn(s -> s.kind().equals("disc") || s.kind().equals("square"))
+        .hasSize(5)
+        .allSatisfy(s -> assertThat(s.y()).isGreaterThan(lowest + 10));
+  }
+
+  @Test
+  void unmetWishesAreRinged() {
+    // Degrees of v0 … v4: 3, 2, 4, 2, 3.
+    RecordingPen pen = painted(best(Wish.EVEN, Wish.ODD, Wish.ANY, Wish.EVEN, Wish.ODD));
+    assertThat(pen.shapes)
+        .filteredOn(s -> s.kind().equals("ring"))
+        .extracting(Shape::ink, Shape::x, Shape::y)
+        .containsExactlyInAnyOrder(tuple(Ink.UNMET, 100.0, 100.0), tuple(Ink.UNMET, 300.0, 100.0));
+    assertThat(pen.texts())
+        .containsExactlyInAnyOrder(
+            "odd",
+            "any",
+            "odd",
+            "Even 3 · Odd 2",
+            "Satisfied 3 · Unsatisfied 2 — optimal (by hand)");
+  }
+
+  @Test
+  void whereTheSameIsWishedOfAllItIsNotWrittenBesideEach() {
+    RecordingPen pen = painted(best(Wish.ODD, Wish.ODD, Wish.ODD, Wish.ODD, Wish.ODD));
+    assertThat(pen.count("ring", Ink.UNMET)).isEqualTo(3);
+    assertThat(pen.texts())
+        .containsExactly("Even 3 · Odd 2 — best found; 2 or more cannot be avoided (by hand)");
+  }
+
+  private static Scene best(Wish... wishes) {
+    ParityGoal goal = ParityGoal.of(wishes);
+    int unsatisfied = goal.unsatisfied(Fixtures.pentagon());
+    return Scene.of(
+        new Optimum(Fixtures.pentagon(), goal, unsatisfied, new LowerBound(2, "by hand"), false));
+  }
+
+  @Test
+  void wishesOtherThanEvenAreWrittenBesideTheirVertices() {
+    ParityGoal goal = ParityGoal.allEven(5).with(1, Wish.ODD).with(3, Wish.ANY);
+    Scene polygon = Scene.polygon(Fixtures.PENTAGON, false, List.of());
+    assertThat(painted(polygon.withWishes(goal)).texts()).containsExactly("odd", "any");
+    Scene numbered = polygon.withWishes(goal).withLabels(new Labels(true, false));
+    assertThat(painted(numbered).texts()).contains("v0", "v1 · odd", "v3 · any");
+    assertThat(painted(polygon.withWishes(ParityGoal.allEven(5))).texts()).isEmpty();
   }
 
   @Test

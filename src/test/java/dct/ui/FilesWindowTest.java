@@ -2,6 +2,8 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
@@ -221,6 +223,60 @@ class FilesWindowTest extends WindowTest {
     Path file = folder.resolve("picture.png");
     await("the picture is written", () -> Files.exists(file));
     assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(canvas().getWidth());
+  }
+
+  @Test
+  void wishesAreLoadedAndSaved() throws Exception {
+    Path wishes = folder.resolve("mine.txt");
+    Files.writeString(wishes, "0 odd\n1 even # as it is\n2 any\n");
+    drawTriangle();
+    wishedParities("Load Wishes");
+    typeName(wishes.toString());
+    answer(dialog(), "Cancel");
+    assertThat(onEventThread(() -> window.workbench().document().wishes()))
+        .isEqualTo(ParityGoal.of(Wish.ODD, Wish.EVEN, Wish.ANY));
+    wishedParities("Save Wishes");
+    Path saved = folder.resolve("saved.txt");
+    typeName(saved.toString());
+    await("the wishes are saved", () -> Files.exists(saved));
+    assertThat(Files.readString(saved)).isEqualTo("0 odd\n2 any\n");
+  }
+
+  @Test
+  void badWishesGiveOneSentenceAndChangeNothing() throws Exception {
+    Path wishes = folder.resolve("bad.txt");
+    Files.writeString(wishes, "0 odd\n7 any\n");
+    drawTriangle();
+    wishedParities("Load Wishes");
+    typeName(wishes.toString());
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).startsWith("bad.txt, line 2: there is no vertex 7");
+    answer(dialog, "OK");
+    assertThat(onEventThread(() -> window.workbench().document().wishes()))
+        .isEqualTo(ParityGoal.allEven(3));
+  }
+
+  @Test
+  void wishesAreNotLostWithoutAQuestion() throws Exception {
+    Path file = folder.resolve("a_polygonbased.txt");
+    PointFile.write(file, Domain.POLYGON, TRIANGLE);
+    open(file);
+    type(KeyEvent.VK_W);
+    clickAt(100, 100);
+    menu("New");
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).contains("wished parities that are not saved");
+    answer(dialog, "Cancel");
+    assertThat(points()).isEqualTo(TRIANGLE);
+    menu("New");
+    answer(dialog(), "Discard Wishes");
+    assertThat(points().size()).isZero();
+  }
+
+  private void wishedParities(String button) {
+    clickMenu("Triangulate");
+    clickMenu("Wished Parities…");
+    answer(dialog(), button);
   }
 
   @Test

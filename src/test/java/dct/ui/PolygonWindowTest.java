@@ -86,6 +86,26 @@ class PolygonWindowTest extends WindowTest {
   }
 
   @Test
+  void wishesAreGrantedInAFrameOfTheirOwn() {
+    draw(100, 100, 500, 100, 500, 400, 100, 400);
+    type(KeyEvent.VK_W);
+    clickAt(100, 100, 500, 100); // the diagonal cannot end in just one of them
+    type(KeyEvent.VK_W, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+    answer(dialog(), "Triangulate");
+    await("the frame", () -> results().size() == 1);
+    ResultFrame result = (ResultFrame) results().get(0);
+    assertThat(result.canvas().scene().counts())
+        .hasSize(2)
+        .last()
+        .asString()
+        .startsWith("Satisfied 2 · Unsatisfied 2 — optimal (");
+    boolean first = result.canvas().scene().ink(0) == Ink.ODD;
+    double right = 9 / onEventThread(() -> result.canvas().viewport().scale());
+    requireInk(result.canvas(), Ink.UNMET, (first ? 500 : 100) + right, 100);
+    requireInk(result.canvas(), Ink.UNMET, (first ? 500 : 100) + right, 400);
+  }
+
+  @Test
   void deleteJoinsTheNeighbours() {
     draw(100, 100, 300, 200, 500, 100, 300, 400);
     check("Delete Vertex");

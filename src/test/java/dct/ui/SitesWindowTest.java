@@ -6,6 +6,7 @@ import dct.core.Progress;
 import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
@@ -100,6 +101,47 @@ class SitesWindowTest extends WindowTest {
   private static Optimum optimum(ParityGoal goal) {
     Triangulation delaunay = delaunay(Points.ofPairs(SITES));
     return BestTriangulation.of(delaunay, goal, SearchLimits.DEFAULT, Progress.NONE);
+  }
+
+  @Test
+  void wishesAreClickedAndGrantedAndTheUnmetOnesRinged() {
+    choose("Point Sites Based");
+    clickAt(200, 200, 600, 200, 400, 500);
+    type(KeyEvent.VK_W);
+    frame.checkBox("Draw Vertex").requireNotSelected();
+    clickAt(200, 200, 400, 500, 400, 500);
+    assertThat(onEventThread(() -> window.workbench().document().wishes()))
+        .isEqualTo(ParityGoal.of(Wish.ODD, Wish.EVEN, Wish.ANY));
+    requireInk(canvas(), Ink.BOUNDARY, 400, 200);
+    wishedParities();
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).isEqualTo("Wished: even 1 · odd 1 · any 1.");
+    answer(dialog, "Triangulate");
+    await("the result", () -> canvas().scene().counts().size() == 2);
+    assertThat(canvas().scene().counts().get(1)).startsWith("Satisfied 2 · Unsatisfied 1 — ");
+    requireInk(canvas(), Ink.UNMET, 191.5, 200);
+    type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    assertThat(onEventThread(() -> window.workbench().document().wishes()))
+        .isEqualTo(ParityGoal.of(Wish.ODD, Wish.EVEN, Wish.ODD));
+    assertThat(canvas().scene().counts()).hasSize(1);
+    requireShown(canvas(), delaunay(points()));
+    check("Edit Vertex");
+    frame.checkBox("Edit Vertex").requireSelected();
+  }
+
+  @Test
+  void withoutWishesTheDialogSaysHowToMakeThem() {
+    draw();
+    wishedParities();
+    JOptionPaneFixture dialog = dialog();
+    assertThat(message(dialog)).contains("Edit ▸ Wish Parity");
+    answer(dialog, "Cancel");
+    assertThat(canvas().scene().counts()).hasSize(1);
+  }
+
+  private void wishedParities() {
+    clickMenu("Triangulate");
+    clickMenu("Wished Parities…");
   }
 
   @Test

@@ -48,6 +48,28 @@ public final class ParityGoal {
     return new ParityGoal(wishes.clone());
   }
 
+  /** This goal with another wish for vertex v. */
+  public ParityGoal with(int v, Wish wish) {
+    Wish[] changed = wishes.clone();
+    changed[v] = wish;
+    return new ParityGoal(changed);
+  }
+
+  /** This goal with a wish for a new vertex v; those from there on move up by one. */
+  public ParityGoal inserted(int v, Wish wish) {
+    Wish[] longer = Arrays.copyOf(wishes, wishes.length + 1);
+    System.arraycopy(wishes, v, longer, v + 1, wishes.length - v);
+    longer[v] = wish;
+    return new ParityGoal(longer);
+  }
+
+  /** This goal without vertex v; those behind it move down by one. */
+  public ParityGoal removed(int v) {
+    Wish[] shorter = Arrays.copyOf(wishes, wishes.length - 1);
+    System.arraycopy(wishes, v + 1, shorter, v, shorter.length - v);
+    return new ParityGoal(shorter);
+  }
+
   /** The number of vertices. */
   public int size() {
     return wishes.length;
@@ -68,6 +90,15 @@ public final class ParityGoal {
     return true;
   }
 
+  /** How many vertices have this wish. */
+  public int count(Wish wish) {
+    int count = 0;
+    for (Wish w : wishes) {
+      count += w == wish ? 1 : 0;
+    }
+    return count;
+  }
+
   /** Whether vertex v has the parity wished in this triangulation. */
   public boolean isSatisfied(Triangulation triangulation, int v) {
     return wishes[v].isSatisfiedBy(triangulation.degree(v));
@@ -80,5 +111,20 @@ public final class ParityGoal {
       unsatisfied += isSatisfied(triangulation, v) ? 0 : 1;
     }
     return unsatisfied;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof ParityGoal that && Arrays.equals(wishes, that.wishes);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(wishes);
+  }
+
+  @Override
+  public String toString() {
+    return "%d even, %d odd, %d any".formatted(count(Wish.EVEN), count(Wish.ODD), count(Wish.ANY));
   }
 }

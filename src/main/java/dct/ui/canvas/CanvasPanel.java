@@ -10,6 +10,7 @@ import dct.render.Labels;
 import dct.render.Pen;
 import dct.render.Pen.Anchor;
 import dct.render.Scene;
+import dct.render.ScenePainter;
 import dct.render.Stroke;
 import dct.render.Theme;
 import dct.render.Viewport;
@@ -31,8 +32,6 @@ public final class CanvasPanel extends JPanel {
 
   /** The height at first. */
   public static final int HEIGHT_AT_FIRST = 700;
-
-  private static final int FIT_MARGIN = 40;
 
   private final transient SceneImage image = new SceneImage();
   private final transient List<Runnable> viewListeners = new ArrayList<>();
@@ -118,11 +117,7 @@ public final class CanvasPanel extends JPanel {
 
   /** Shows the whole scene as large as it fits. */
   public void fit() {
-    setViewport(
-        scene
-            .bounds()
-            .map(box -> Viewport.fit(box, getWidth(), getHeight(), FIT_MARGIN, viewport.yUp()))
-            .orElse(Viewport.IDENTITY));
+    setViewport(ScenePainter.fitted(scene, getWidth(), getHeight(), viewport.yUp()));
   }
 
   /** One model unit a pixel, the origin in the corner: the thesis's canvas. */

@@ -3,6 +3,7 @@ package dct.ui.document;
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
@@ -24,13 +25,19 @@ public final class Analysis {
   private final Optional<Triangulation> triangulation;
   private final List<Defect> defects; // the first is the one to name
   private final Scene scene;
+  private final boolean pending;
 
   private Analysis(
-      Document document, Optional<Triangulation> triangulation, List<Defect> defects, Scene scene) {
+      Document document,
+      Optional<Triangulation> triangulation,
+      List<Defect> defects,
+      Scene scene,
+      boolean pending) {
     this.document = document;
     this.triangulation = triangulation;
     this.defects = defects;
-    this.scene = scene;
+    this.scene = scene.withWishes(document.wishes());
+    this.pending = pending;
   }
 
   /**
@@ -52,14 +59,14 @@ public final class Analysis {
         document.domain() == Domain.POLYGON
             ? Scene.polygon(points, growing, List.of())
             : Scene.sites(points);
-    return new Analysis(document, Optional.empty(), List.of(), scene);
+    return new Analysis(document, Optional.empty(), List.of(), scene, true);
   }
 
   private static Analysis polygon(Document document, boolean growing) {
     Points points = document.points();
     List<Defect> defects = defects(points);
     return new Analysis(
-        document, Optional.empty(), defects, Scene.polygon(points, growing, defects));
+        document, Optional.empty(), defects, Scene.polygon(points, growing, defects), false);
   }
 
   private static List<Defect> defects(Points points) {
@@ -76,20 +83,35 @@ public final class Analysis {
   private static Analysis sites(Document document, Progress progress) {
     if (document.size() < 3) {
       Scene scene = Scene.sites(document.points());
-      return new Analysis(document, Optional.empty(), List.of(), scene);
+      return new Analysis(document, Optional.empty(), List.of(), scene, false);
     }
     Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points()), progress);
-    return new Analysis(document, Optional.of(delaunay), List.of(), Scene.of(delaunay));
+    return sites(document, delaunay, Scene.of(delaunay));
+  }
+
+  private static Analysis sites(Document document, Triangulation triangulation, Scene scene) {
+    return new Analysis(document, Optional.of(triangulation), List.of(), scene, false);
   }
 
   /** This analysis with the triangulation of the sites after flips. */
   public Analysis flipped(FlipResult result) {
-    return new Analysis(document, Optional.of(result.after()), List.of(), Scene.of(result));
+    return sites(document, result.after(), Scene.of(result));
   }
 
   /** This analysis with the best triangulation of the sites that was found. */
   public Analysis optimized(Optimum best) {
-    return new Analysis(document, Optional.of(best.triangulation()), List.of(), Scene.of(best));
+    return sites(document, best.triangulation(), Scene.of(best));
+  }
+
+  /** Whether this is a whole analysis of these points, wherever it was made. */
+  boolean isOf(Points points) {
+    return !pending && document.points().equals(points);
+  }
+
+  /** This analysis with other wishes; what was said of the old ones is no longer shown. */
+  Analysis wishing(ParityGoal wishes) {
+    Scene plain = triangulation.map(Scene::of).orElse(scene);
+    return new Analysis(document.with(wishes), triangulation, defects, plain, pending);
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
@@ -98,7 +120,11 @@ public final class Analysis {
       return this;
     }
     return new Analysis(
-        document, triangulation, defects, Scene.polygon(document.points(), growing, defects));
+        document,
+        triangulation,
+        defects,
+        Scene.polygon(document.points(), growing, defects),
+        pending);
   }
 
   /** What was analysed. */

@@ -1,5 +1,6 @@
 package dct.ui.document;
 
+import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 
@@ -8,17 +9,28 @@ import dct.core.triangulate.Domain;
  *
  * @param domain which of the two applications it belongs to
  * @param points the vertices of the polygon, or the sites, in the order entered
+ * @param wishes the parity that is wished of each vertex, even unless the user said otherwise
  */
-public record Document(Domain domain, Points points) {
+public record Document(Domain domain, Points points, ParityGoal wishes) {
+
+  /** A document in which every vertex is wished to be even. */
+  public Document(Domain domain, Points points) {
+    this(domain, points, ParityGoal.allEven(points.size()));
+  }
 
   /** A document without vertices. */
   public static Document empty(Domain domain) {
     return new Document(domain, Points.ofPairs());
   }
 
-  /** This document with other points. */
-  public Document with(Points others) {
-    return new Document(domain, others);
+  /** This document with its vertices at other places. */
+  public Document with(Points moved) {
+    return new Document(domain, moved, wishes);
+  }
+
+  /** This document with other wishes. */
+  public Document with(ParityGoal others) {
+    return new Document(domain, points, others);
   }
 
   /** The number of vertices. */

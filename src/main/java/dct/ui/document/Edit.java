@@ -1,18 +1,20 @@
 package dct.ui.document;
 
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 
-/** A named change of the points that can be taken back: {@code revert(apply(p))} equals p. */
+/** A named change of a document that can be taken back: {@code revert(apply(d))} equals d. */
 public sealed interface Edit {
 
   /** What the menus call it, behind "Undo" or "Redo". */
   String label();
 
-  /** The points after the change. */
-  Points apply(Points points);
+  /** The document after the change. */
+  Document apply(Document document);
 
-  /** The points before it. */
-  Points revert(Points points);
+  /** The document before it. */
+  Document revert(Document document);
 
   /** A new vertex at the end. */
   static Edit draw(Document document, double x, double y) {
@@ -27,7 +29,7 @@ public sealed interface Edit {
   /** One vertex less; its neighbours are joined. */
   static Edit delete(Document document, int vertex) {
     Points points = document.points();
-    return new Delete(vertex, points.x(vertex), points.y(vertex));
+    return new Delete(vertex, points.x(vertex), points.y(vertex), document.wishes().wish(vertex));
   }
 
   /** A vertex at another place. */
@@ -36,39 +38,61 @@ public sealed interface Edit {
     return new Move(vertex, points.x(vertex), points.y(vertex), x, y);
   }
 
-  /** Other points altogether. */
+  /** Another wish for a vertex. */
+  static Edit wish(Document document, int vertex, Wish wish) {
+    return new Wished(vertex, document.wishes().wish(vertex), wish);
+  }
+
+  /** Other wishes altogether. */
+  static Edit wishes(String label, Document document, ParityGoal wishes) {
+    return new Replace(label, document, document.with(wishes));
+  }
+
+  /** Other points altogether, every one wished to be even. */
   static Edit replace(String label, Document document, Points points) {
-    return new Replace(label, document.points(), points);
+    return new Replace(label, document, new Document(document.domain(), points));
+  }
+
+  private static Document inserted(Document document, int vertex, double x, double y, Wish wish) {
+    return new Document(
+        document.domain(),
+        document.points().inserted(vertex, x, y),
+        document.wishes().inserted(vertex, wish));
+  }
+
+  private static Document removed(Document document, int vertex) {
+    return new Document(
+        document.domain(), document.points().removed(vertex), document.wishes().removed(vertex));
   }
 
   /** See {@link #draw} and {@link #split}. */
   record Insert(String label, int vertex, double x, double y) implements Edit {
     @Override
-    public Points apply(Points points) {
-      return points.inserted(vertex, x, y);
+    public Document apply(Document document) {
+      return inserted(document, vertex, x, y, Wish.EVEN);
     }
 
     @Override
-    public Points revert(Points points) {
-      return points.removed(vertex);
+    public Document revert(Document document) {
+      return removed(document, vertex);
     }
   }
 
   /** See {@link #delete}. */
-  record Delete(int vertex, double x, double y) implements Edit {
+  record Delete(int vertex, double x, double y, Wish wish) implements Edit {
     @Override
     public String label() {
       return "Delete Vertex v" + vertex;
     }
 
     @Override
-    public Points apply(Points points) {
-      return points.removed(vertex);
+    public Document apply(Document document) {
+      return removed(document, vertex);
     }
 
     @Override
-    public Points revert(Points points) {
-      return points.inserted(vertex, x, y);
+    public Document revert(Document document) {
+      return inserted(document, vertex, x, y, wish);
     }
   }
 
@@ -80,25 +104,43 @@ public sealed interface Edit {
     }
 
     @Override
-    public Points apply(Points points) {
-      return points.moved(vertex, x, y);
+    public Document apply(Document document) {
+      return document.with(document.points().moved(vertex, x, y));
     }
 
     @Override
-    public Points revert(Points points) {
-      return points.moved(vertex, oldX, oldY);
+    public Document revert(Document document) {
+      return document.with(document.points().moved(vertex, oldX, oldY));
     }
   }
 
-  /** See {@link #replace}. */
-  record Replace(String label, Points before, Points after) implements Edit {
+  /** See {@link #wish}. */
+  record Wished(int vertex, Wish before, Wish after) implements Edit {
     @Override
-    public Points apply(Points points) {
+    public String label() {
+      return "Wish Parity v" + vertex;
+    }
+
+    @Override
+    public Document apply(Document document) {
+      return document.with(document.wishes().with(vertex, after));
+    }
+
+    @Override
+    public Document revert(Document document) {
+      return document.with(document.wishes().with(vertex, before));
+    }
+  }
+
+  /** See {@link #replace} and {@link #wishes}. */
+  record Replace(String label, Document before, Document after) implements Edit {
+    @Override
+    public Document apply(Document document) {
       return after;
     }
 
     @Override
-    public Points revert(Points points) {
+    public Document revert(Document document) {
       return before;
     }
   }

@@ -5,7 +5,6 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
 import dct.ui.job.Jobs;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -92,6 +91,7 @@ public final class Editor {
     name = newName;
     file = Optional.empty();
     provisional = null;
+    shown = Analysis.pending(document, growing);
     analyse();
   }
 
@@ -124,7 +124,13 @@ public final class Editor {
     analyse();
   }
 
-  /** Shows these points in place of the document's. */
+  /** Says that a state's wishes are in a file now. */
+  public void wishesSaved(Document document) {
+    history.markWishesSaved(document);
+    changed();
+  }
+
+  /** Shows the document with its vertices at these places. */
   public void preview(Points points) {
     provisional = document().with(points);
     analyse();
@@ -154,8 +160,8 @@ public final class Editor {
   }
 
   /** Shows the best triangulation found, unless the sites have changed since the search began. */
-  public void showOptimum(Triangulation before, Optimum best) {
-    if (shown.triangulation().filter(t -> t == before).isPresent()) {
+  public void showOptimum(Document searched, Optimum best) {
+    if (shown.triangulation().isPresent() && shown.document().equals(searched)) {
       shown = shown.optimized(best);
       changed();
     }
@@ -164,7 +170,9 @@ public final class Editor {
   private void analyse() {
     cancelAnalysis.run();
     Document document = visible();
-    if (document.size() <= AT_ONCE) {
+    if (shown.isOf(document.points())) {
+      show(shown.wishing(document.wishes()));
+    } else if (document.size() <= AT_ONCE) {
       show(Analysis.of(document, growing, Progress.NONE));
     } else {
       String what = domain == Domain.POLYGON ? "Checking the polygon" : "Triangulating the sites";

@@ -1,5 +1,8 @@
 package dct.ui.document;
 
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.geometry.Points;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
@@ -9,12 +12,14 @@ public final class History {
   private final Deque<Edit> done = new ArrayDeque<>();
   private final Deque<Edit> undone = new ArrayDeque<>();
   private Document present;
-  private Document saved;
+  private Points saved;
+  private ParityGoal savedWishes; // they have a file of their own
 
   /** A history that begins with this document, which counts as saved. */
   public History(Document start) {
     present = start;
-    saved = start;
+    saved = start.points();
+    savedWishes = start.wishes();
   }
 
   /** The document as it is now. */
@@ -24,7 +29,7 @@ public final class History {
 
   /** Applies an edit; what was undone before is forgotten. */
   public void perform(Edit edit) {
-    present = present.with(edit.apply(present.points()));
+    present = edit.apply(present);
     done.push(edit);
     undone.clear();
   }
@@ -33,7 +38,7 @@ public final class History {
   public void undo() {
     if (!done.isEmpty()) {
       Edit edit = done.pop();
-      present = present.with(edit.revert(present.points()));
+      present = edit.revert(present);
       undone.push(edit);
     }
   }
@@ -42,7 +47,7 @@ public final class History {
   public void redo() {
     if (!undone.isEmpty()) {
       Edit edit = undone.pop();
-      present = present.with(edit.apply(present.points()));
+      present = edit.apply(present);
       done.push(edit);
     }
   }
@@ -57,13 +62,23 @@ public final class History {
     return Optional.ofNullable(undone.peek()).map(Edit::label);
   }
 
-  /** Says which state was saved. */
+  /** Says of which state the points were saved. */
   public void markSaved(Document document) {
-    saved = document;
+    saved = document.points();
   }
 
-  /** Whether the present document differs from the saved one. */
+  /** Says of which state the wishes were saved. */
+  public void markWishesSaved(Document document) {
+    savedWishes = document.wishes();
+  }
+
+  /** Whether the points differ from the saved ones. */
   public boolean isChanged() {
-    return !present.equals(saved);
+    return !present.points().equals(saved);
+  }
+
+  /** Whether there are wishes that would be lost with the document. */
+  public boolean hasUnsavedWishes() {
+    return !present.wishes().isAll(Wish.EVEN) && !present.wishes().equals(savedWishes);
   }
 }

@@ -2,7 +2,13 @@ package dct.ui.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.RandomSites;
@@ -50,6 +56,39 @@ class EditorTest {
     sites.showFlips(fresh);
     assertThat(sites.shown().scene().counts()).hasSize(2);
     assertThat(sites.shown().triangulation()).contains(fresh.after());
+  }
+
+  @Test
+  void aNewWishLeavesTheTriangulationThatIsShown() {
+    load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
+    var flips = ScanFlip.run(sites.shown().triangulation().orElseThrow());
+    sites.showFlips(flips);
+    sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
+    assertThat(sites.shown().document()).isEqualTo(sites.document());
+    assertThat(sites.shown().triangulation()).contains(flips.after());
+    assertThat(sites.shown().scene().counts()).hasSize(1);
+    sites.undo();
+    assertThat(sites.shown().document().wishes().wish(3)).isEqualTo(Wish.EVEN);
+    assertThat(sites.shown().triangulation()).contains(flips.after());
+  }
+
+  @Test
+  void anOptimumForOtherWishesOrSitesIsNotShown() {
+    load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
+    Document searched = sites.shown().document();
+    Optimum best =
+        BestTriangulation.of(
+            sites.shown().triangulation().orElseThrow(),
+            ParityGoal.allEven(7),
+            SearchLimits.DEFAULT,
+            Progress.NONE);
+    sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
+    sites.showOptimum(searched, best);
+    assertThat(sites.shown().scene().counts().get(0)).doesNotContain("—");
+    sites.undo();
+    sites.showOptimum(searched, best);
+    assertThat(sites.shown().scene().counts().get(0)).contains("—");
+    assertThat(sites.shown().triangulation()).contains(best.triangulation());
   }
 
   @Test

@@ -2,6 +2,8 @@ package dct.ui.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import java.util.ArrayList;
@@ -14,18 +16,25 @@ class HistoryTest {
 
   @Test
   void revertUndoesApplyForEveryEdit() {
-    Document document = new Document(Domain.POLYGON, Points.ofPairs(0, 0, 9, 0, 5, 7));
+    Document document =
+        new Document(
+            Domain.POLYGON,
+            Points.ofPairs(0, 0, 9, 0, 5, 7),
+            ParityGoal.of(Wish.EVEN, Wish.ODD, Wish.EVEN));
     List<Edit> edits =
         List.of(
             Edit.draw(document, 1, 6),
             Edit.split(1, 4, 0),
             Edit.delete(document, 1),
             Edit.move(document, 2, 8, 8),
+            Edit.wish(document, 2, Wish.ANY),
+            Edit.wishes("Load Wishes", document, ParityGoal.allOdd(3)),
             Edit.replace("Clear Canvas", document, Points.ofPairs()));
     for (Edit edit : edits) {
-      Points after = edit.apply(document.points());
-      assertThat(after).as(edit.label()).isNotEqualTo(document.points());
-      assertThat(edit.revert(after)).as(edit.label()).isEqualTo(document.points());
+      Document after = edit.apply(document);
+      assertThat(after).as(edit.label()).isNotEqualTo(document);
+      assertThat(after.wishes().size()).as(edit.label()).isEqualTo(after.size());
+      assertThat(edit.revert(after)).as(edit.label()).isEqualTo(document);
     }
     assertThat(edits)
         .extracting(Edit::label)
@@ -34,6 +43,8 @@ class HistoryTest {
             "Split Vertex v1",
             "Delete Vertex v1",
             "Edit Vertex v2",
+            "Wish Parity v2",
+            "Load Wishes",
             "Clear Canvas");
   }
 
@@ -62,12 +73,51 @@ class HistoryTest {
     int n = document.size();
     double x = random.nextInt(100);
     double y = random.nextInt(100);
-    return switch (n < 3 ? 0 : random.nextInt(4)) {
+    return switch (n < 3 ? 0 : random.nextInt(5)) {
       case 0 -> Edit.draw(document, x, y);
       case 1 -> Edit.split(random.nextInt(n), x, y);
       case 2 -> Edit.delete(document, random.nextInt(n));
+      case 3 ->
+          Edit.wish(document, random.nextInt(n), List.of(Wish.values()).get(random.nextInt(3)));
       default -> Edit.move(document, random.nextInt(n), x, y);
     };
+  }
+
+  @Test
+  void aWishStaysWithItsVertex() {
+    history.perform(Edit.draw(history.present(), 0, 0));
+    history.perform(Edit.draw(history.present(), 9, 0));
+    history.perform(Edit.wish(history.present(), 1, Wish.ODD));
+    history.perform(Edit.split(1, 4, 0));
+    assertThat(wishes()).isEqualTo(ParityGoal.of(Wish.EVEN, Wish.EVEN, Wish.ODD));
+    history.perform(Edit.delete(history.present(), 0));
+    history.perform(Edit.move(history.present(), 1, 8, 8));
+    assertThat(wishes()).isEqualTo(ParityGoal.of(Wish.EVEN, Wish.ODD));
+    history.perform(Edit.delete(history.present(), 1));
+    assertThat(wishes()).isEqualTo(ParityGoal.of(Wish.EVEN));
+    history.undo();
+    assertThat(wishes()).isEqualTo(ParityGoal.of(Wish.EVEN, Wish.ODD));
+  }
+
+  private ParityGoal wishes() {
+    return history.present().wishes();
+  }
+
+  @Test
+  void wishesAreUnsavedUntilTheyAreSavedOrGone() {
+    history.perform(Edit.draw(history.present(), 0, 0));
+    assertThat(history.hasUnsavedWishes()).isFalse();
+    history.perform(Edit.wish(history.present(), 0, Wish.ODD));
+    assertThat(history.hasUnsavedWishes()).isTrue();
+    history.markSaved(history.present());
+    assertThat(history.isChanged()).as("the points").isFalse();
+    assertThat(history.hasUnsavedWishes()).isTrue();
+    history.markWishesSaved(history.present());
+    assertThat(history.hasUnsavedWishes()).isFalse();
+    history.perform(Edit.wish(history.present(), 0, Wish.ANY));
+    assertThat(history.hasUnsavedWishes()).isTrue();
+    history.perform(Edit.wish(history.present(), 0, Wish.EVEN));
+    assertThat(history.hasUnsavedWishes()).isFalse();
   }
 
   @Test

@@ -2,6 +2,8 @@ package dct.ui.tool;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.render.Viewport;
@@ -159,6 +161,26 @@ class ToolsTest {
   }
 
   @Test
+  void aClickChangesTheWishFromEvenToOddToAnyAndBack() {
+    WishTool tool = new WishTool();
+    for (Wish expected : new Wish[] {Wish.ODD, Wish.ANY, Wish.EVEN, Wish.ODD}) {
+      tool.pressed(sites, sites.spot(302, 99));
+      assertThat(sites.document().wishes())
+          .isEqualTo(ParityGoal.of(Wish.EVEN, expected, Wish.EVEN));
+    }
+    sites.history.undo();
+    assertThat(sites.document().wishes()).isEqualTo(ParityGoal.allEven(3));
+    assertThat(sites.history.undoLabel()).contains("Wish Parity v1");
+  }
+
+  @Test
+  void aWishForNothingSaysSo() {
+    new WishTool().pressed(polygon, polygon.spot(200, 200));
+    assertThat(polygon.document().wishes()).isEqualTo(ParityGoal.allEven(4));
+    assertThat(polygon.said).contains("no wish was changed");
+  }
+
+  @Test
   void hintsSayWhatTheNextClickWillDo() {
     assertThat(new DrawTool().hint(polygon)).isEqualTo("Click to add vertex v4 between v3 and v0");
     DeleteTool delete = new DeleteTool();
@@ -167,6 +189,9 @@ class ToolsTest {
     SplitTool split = new SplitTool();
     split.moved(polygon, polygon.spot(200, 110));
     assertThat(split.hint(polygon)).isEqualTo("Click to split the edge v0–v1");
+    WishTool wish = new WishTool();
+    wish.moved(polygon, polygon.spot(300, 300));
+    assertThat(wish.hint(polygon)).isEqualTo("v2 is wished even; click to wish it odd");
     EditTool edit = new EditTool();
     edit.pressed(polygon, polygon.spot(300, 300));
     assertThat(edit.hint(polygon)).contains("Esc puts it back");

@@ -29,7 +29,7 @@ final class DegreeSumBound {
 
   static LowerBound of(HullRing ring, ParityGoal goal) {
     int n = goal.size();
-    int wishedEven = Handshake.count(goal, Wish.EVEN);
+    int wishedEven = goal.count(Wish.EVEN);
     int room = 3 * n - 6 - 2 * ring.size();
     // Without corners cut off the bound is largest; most sites are far from that.
     boolean canHelp = n > 3 && wishedEven > room;

@@ -19,17 +19,8 @@ final class Handshake {
 
   /** Counts the wishes, in linear time. */
   Handshake(ParityGoal goal) {
-    wishedOdd = count(goal, Wish.ODD);
-    applies = count(goal, Wish.ANY) == 0;
-  }
-
-  /** How many vertices have this wish. */
-  static int count(ParityGoal goal, Wish wish) {
-    int count = 0;
-    for (int v = 0; v < goal.size(); v++) {
-      count += goal.wish(v) == wish ? 1 : 0;
-    }
-    return count;
+    wishedOdd = goal.count(Wish.ODD);
+    applies = goal.count(Wish.ANY) == 0;
   }
 
   /** The least possible number of unsatisfied vertices that is not below this one. */

@@ -40,7 +40,7 @@ public final class PolygonBounds {
   }
 
   private static LowerBound ears(int n, ParityGoal goal) {
-    int notWishedOdd = n - Handshake.count(goal, Wish.ODD);
+    int notWishedOdd = n - goal.count(Wish.ODD);
     return new LowerBound(n > 3 ? 2 - notWishedOdd : 0, "two ears have degree 2");
   }
 }

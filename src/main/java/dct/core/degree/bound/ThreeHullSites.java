@@ -47,8 +47,8 @@ final class ThreeHullSites {
   }
 
   private static int least(int[] possible, int from, ParityGoal goal) {
-    int odd = Handshake.count(goal, Wish.ODD);
-    int free = Handshake.count(goal, Wish.ANY);
+    int odd = goal.count(Wish.ODD);
+    int free = goal.count(Wish.ANY);
     int least = Integer.MAX_VALUE;
     for (int k : possible) {
       if (k >= from) {
