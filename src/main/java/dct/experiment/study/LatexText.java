@@ -1,0 +1,64 @@
+package dct.experiment.study;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** Tables in LaTeX, to be read in by {@code \input}; they need the package booktabs. */
+public final class LatexText {
+  private static final Map<Character, String> ESCAPES =
+      Map.ofEntries(
+          Map.entry('\\', "\\textbackslash{}"),
+          Map.entry('{', "\\{"),
+          Map.entry('}', "\\}"),
+          Map.entry('$', "\\$"),
+          Map.entry('&', "\\&"),
+          Map.entry('#', "\\#"),
+          Map.entry('%', "\\%"),
+          Map.entry('_', "\\_"),
+          Map.entry('^', "\\textasciicircum{}"),
+          Map.entry('~', "\\textasciitilde{}"),
+          Map.entry('±', "$\\pm$"),
+          Map.entry('−', "$-$"),
+          Map.entry('–', "--"));
+
+  private LatexText() {}
+
+  /** The tables that have rows, one after the other. */
+  public static String of(List<Table> tables) {
+    return "% \\usepackage{booktabs}\n"
+        + tables.stream()
+            .filter(table -> !table.rows().isEmpty())
+            .map(LatexText::environment)
+            .collect(Collectors.joining("\n"));
+  }
+
+  private static String environment(Table table) {
+    String kinds =
+        IntStream.range(0, table.columns().size())
+            .mapToObj(c -> table.isNumeric(c) ? "r" : "l")
+            .collect(Collectors.joining());
+    StringBuilder out = new StringBuilder("\\begin{table}\n\\centering\\footnotesize\n");
+    out.append("\\caption{").append(caption(table)).append("}\n");
+    out.append("\\begin{tabular}{").append(kinds).append("}\n\\toprule\n");
+    out.append(row(table.columns())).append("\\midrule\n");
+    table.rows().forEach(row -> out.append(row(row)));
+    return out.append("\\bottomrule\n\\end{tabular}\n\\end{table}\n").toString();
+  }
+
+  private static String caption(Table table) {
+    String notes = table.notes().stream().map(note -> " " + note).collect(Collectors.joining());
+    return escaped(table.title() + "." + notes);
+  }
+
+  private static String row(List<String> cells) {
+    return cells.stream().map(LatexText::escaped).collect(Collectors.joining(" & ", "", " \\\\\n"));
+  }
+
+  private static String escaped(String text) {
+    return text.chars()
+        .mapToObj(c -> ESCAPES.getOrDefault((char) c, String.valueOf((char) c)))
+        .collect(Collectors.joining());
+  }
+}

@@ -1,0 +1,35 @@
+package dct.experiment.study;
+
+import java.util.List;
+
+/**
+ * A table for people; immutable.
+ *
+ * @param title what it shows
+ * @param columns the heads of the columns
+ * @param rows the cells, as many in each row as there are columns
+ * @param notes what has to be known to read it, a sentence each
+ */
+public record Table(
+    String title, List<String> columns, List<List<String>> rows, List<String> notes) {
+
+  /** Checks that the rows are whole. */
+  public Table {
+    columns = List.copyOf(columns);
+    rows = rows.stream().map(List::copyOf).toList();
+    notes = List.copyOf(notes);
+    for (List<String> row : rows) {
+      if (row.size() != columns.size()) {
+        throw new IllegalArgumentException(row + " has not " + columns.size() + " cells");
+      }
+    }
+  }
+
+  /** Whether a column holds numbers and is set flush right: its first cell begins with a digit. */
+  boolean isNumeric(int column) {
+    return rows.stream()
+        .map(row -> row.get(column))
+        .filter(cell -> !cell.equals("–") && !cell.isEmpty())
+        .allMatch(cell -> Character.isDigit(cell.charAt(cell.startsWith("−") ? 1 : 0)));
+  }
+}
