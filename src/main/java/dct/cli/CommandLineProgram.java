@@ -33,7 +33,7 @@ public final class CommandLineProgram {
   static final int HELP_WIDTH = 100;
 
   private static final List<String> VERBS =
-      List.of("triangulate", "generate", "convert", "check", "verify");
+      List.of("triangulate", "generate", "experiment", "convert", "check", "verify");
 
   private final Console console;
 
@@ -107,6 +107,7 @@ public final class CommandLineProgram {
     return switch (name) {
       case "triangulate" -> new TriangulateCommand(console);
       case "generate" -> new GenerateCommand(console);
+      case "experiment" -> new ExperimentCommand(console);
       case "convert" -> new ConvertCommand(console);
       case "check" -> new CheckCommand(console);
       default -> new VerifyCommand(console);

@@ -67,6 +67,20 @@ abstract class Verb implements Callable<Integer> {
     return parameter;
   }
 
+  /** Declares parameters without a name after the required one; there may be none. */
+  final PositionalParamSpec parameters(String label, String description) {
+    PositionalParamSpec parameters =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .arity("0..*")
+            .type(List.class)
+            .auxiliaryTypes(String.class)
+            .description(description)
+            .build();
+    spec.addPositional(parameters);
+    return parameters;
+  }
+
   /** Declares an option without a value. */
   final OptionSpec flag(String name, String description) {
     OptionSpec option =

@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Tables in LaTeX, to be read in by {@code \input}; they need the package booktabs. */
+/**
+ * Tables in LaTeX, to be read in by {@code \input}; they need the packages booktabs and graphicx,
+ * which fits them to the width of the text.
+ */
 public final class LatexText {
   private static final Map<Character, String> ESCAPES =
       Map.ofEntries(
@@ -27,7 +30,7 @@ public final class LatexText {
 
   /** The tables that have rows, one after the other. */
   public static String of(List<Table> tables) {
-    return "% \\usepackage{booktabs}\n"
+    return "% needs \\usepackage{booktabs,graphicx}\n"
         + tables.stream()
             .filter(table -> !table.rows().isEmpty())
             .map(LatexText::environment)
@@ -39,12 +42,14 @@ public final class LatexText {
         IntStream.range(0, table.columns().size())
             .mapToObj(c -> table.isNumeric(c) ? "r" : "l")
             .collect(Collectors.joining());
-    StringBuilder out = new StringBuilder("\\begin{table}\n\\centering\\footnotesize\n");
+    StringBuilder out = new StringBuilder("\\begin{table}\n\\centering\n");
     out.append("\\caption{").append(caption(table)).append("}\n");
-    out.append("\\begin{tabular}{").append(kinds).append("}\n\\toprule\n");
+    out.append("\\resizebox{\\textwidth}{!}{%\n\\begin{tabular}{")
+        .append(kinds)
+        .append("}\n\\toprule\n");
     out.append(row(table.columns())).append("\\midrule\n");
     table.rows().forEach(row -> out.append(row(row)));
-    return out.append("\\bottomrule\n\\end{tabular}\n\\end{table}\n").toString();
+    return out.append("\\bottomrule\n\\end{tabular}}\n\\end{table}\n").toString();
   }
 
   private static String caption(Table table) {

@@ -30,9 +30,7 @@ public record Sample(int size, double mean, double deviation) {
    * single value.
    */
   public double halfWidth() {
-    return size < 2
-        ? Double.POSITIVE_INFINITY
-        : quantile(size - 1) * deviation / Math.sqrt(size);
+    return size < 2 ? Double.POSITIVE_INFINITY : quantile(size - 1) * deviation / Math.sqrt(size);
   }
 
   /** Student's quantile; from 13 degrees on by its expansion (Fisher 1926), to three digits. */

@@ -46,8 +46,7 @@ public final class StudyCsv {
     line.append(',').append(trial.n()).append(',').append(trial.set());
     line.append(',').append(trial.seed());
     counts.forEach(name -> line.append(',').append(row.count(name)));
-    steps.forEach(
-        step -> line.append(String.format(Locale.ROOT, ",%.3f", row.millis().get(step))));
+    steps.forEach(step -> line.append(String.format(Locale.ROOT, ",%.3f", row.millis().get(step))));
     return line.append('\n').toString();
   }
 

@@ -36,7 +36,7 @@ public record StudyRow(Trial trial, Map<String, Integer> counts, Map<String, Dou
   }
 
   /** This row without its times. */
-  StudyRow withoutTimes() {
+  public StudyRow withoutTimes() {
     return new StudyRow(trial, counts, Map.of());
   }
 }

@@ -25,11 +25,13 @@ public record Table(
     }
   }
 
-  /** Whether a column holds numbers and is set flush right: its first cell begins with a digit. */
+  /** Whether a column is set flush right: most of its cells begin with a digit. */
   boolean isNumeric(int column) {
-    return rows.stream()
-        .map(row -> row.get(column))
-        .filter(cell -> !cell.equals("–") && !cell.isEmpty())
-        .allMatch(cell -> Character.isDigit(cell.charAt(cell.startsWith("−") ? 1 : 0)));
+    long numbers =
+        rows.stream()
+            .map(row -> row.get(column).replace("−", ""))
+            .filter(cell -> !cell.isEmpty() && Character.isDigit(cell.charAt(0)))
+            .count();
+    return 2 * numbers > rows.size();
   }
 }

@@ -1,0 +1,137 @@
+package dct.experiment.study;
+
+import dct.core.Progress;
+import dct.core.degree.DegreeCount;
+import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
+import dct.experiment.RandomSites;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The thesis's experiment on sites (its Section 4.4), carried on: the even vertices of the Delaunay
+ * triangulation, after Scan-Flip, after Scan-Flip repeated until it flips nothing more, and of the
+ * best triangulation that can be found, beside the most that is not ruled out by a proven bound.
+ */
+public final class PointsStudy implements Study {
+  /** The shape of the thesis's sets, as far as it says: random. */
+  public static final String UNIFORM = "uniform";
+
+  /** The number of sets in the thesis. */
+  public static final int SETS = 5;
+
+  static final String HULL = "hull";
+  static final String BEFORE = "even_before";
+  static final String AFTER = "even_after";
+  static final String FLIPS = "flips";
+  static final String REPEATED = "even_repeated";
+  static final String REPEATED_FLIPS = "repeated_flips";
+  static final String SCANS = "scans";
+  static final String BEST = "even_best";
+  static final String LIMIT = "even_limit";
+
+  private static final List<String> COUNTS =
+      List.of(HULL, BEFORE, AFTER, FLIPS, REPEATED, REPEATED_FLIPS, SCANS, BEST, LIMIT);
+  private static final List<String> STEPS = List.of("delaunay", "scan_flip", "repeated", "best");
+
+  private final StudyPlan plan;
+
+  /** The study of these trials; the shapes are words of generators of sites. */
+  public PointsStudy(StudyPlan plan) {
+    this.plan = plan;
+  }
+
+  @Override
+  public String name() {
+    return "points";
+  }
+
+  @Override
+  public List<Trial> trials() {
+    return plan.trials();
+  }
+
+  @Override
+  public List<String> counts() {
+    return COUNTS;
+  }
+
+  @Override
+  public List<String> steps() {
+    return STEPS;
+  }
+
+  @Override
+  public double cost(Trial trial) {
+    return trial.n();
+  }
+
+  @Override
+  public StudyRow run(Trial trial, Progress progress) {
+    Laps laps = new Laps();
+    Sites sites = sites(trial);
+    Triangulation delaunay = laps.time(STEPS.get(0), () -> Delaunay.triangulate(sites, progress));
+    FlipResult once = laps.time(STEPS.get(1), () -> ScanFlip.run(delaunay));
+    Repeated often = laps.time(STEPS.get(2), () -> Repeated.of(once));
+    Optimum best = laps.time(STEPS.get(3), () -> best(delaunay, progress));
+    progress.checkCancelled(); // what a search found until then is no row
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put(HULL, delaunay.boundaryCount());
+    counts.put(BEFORE, DegreeCount.of(delaunay).even());
+    counts.put(AFTER, DegreeCount.of(once.after()).even());
+    counts.put(FLIPS, once.flips());
+    counts.put(REPEATED, DegreeCount.of(often.last().after()).even());
+    counts.put(REPEATED_FLIPS, often.flips());
+    counts.put(SCANS, often.scans());
+    counts.put(BEST, sites.size() - best.unsatisfied());
+    counts.put(LIMIT, sites.size() - best.bound().value());
+    return new StudyRow(trial, counts, laps.millis());
+  }
+
+  private static Sites sites(Trial trial) {
+    return Sites.of(RandomSites.uniform(trial.n(), trial.seed()));
+  }
+
+  private static Optimum best(Triangulation delaunay, Progress progress) {
+    ParityGoal even = ParityGoal.allEven(delaunay.vertexCount());
+    return BestTriangulation.of(delaunay, even, SearchLimits.DEFAULT, progress);
+  }
+
+  @Override
+  public List<Table> tables(List<StudyRow> rows) {
+    return PointsTables.of(rows);
+  }
+
+  /**
+   * Scan-Flip again and again, until a scan flips nothing.
+   *
+   * @param last the last scan that flipped something
+   * @param flips of all scans
+   * @param scans how many flipped something
+   */
+  private record Repeated(FlipResult last, int flips, int scans) {
+
+    /** Goes on from the first scan. Ends, for each flip makes two vertices even or more. */
+    static Repeated of(FlipResult first) {
+      FlipResult last = first;
+      FlipResult following = first;
+      int flips = 0;
+      int scans = 0;
+      while (following.flips() > 0) {
+        last = following;
+        flips += last.flips();
+        scans++;
+        following = ScanFlip.run(last.after());
+      }
+      return new Repeated(last, flips, scans);
+    }
+  }
+}

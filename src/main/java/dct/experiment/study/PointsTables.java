@@ -1,0 +1,174 @@
+package dct.experiment.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+
+/** The tables of the study of sites. */
+final class PointsTables {
+  private static final String NONE = "–";
+
+  private final ThesisTable thesis = ThesisTable.read();
+  private final List<StudyRow> rows;
+
+  private PointsTables(List<StudyRow> rows) {
+    this.rows = rows;
+  }
+
+  /** Table 4.4 again, the means for each size, and the times where they were kept. */
+  static List<Table> of(List<StudyRow> rows) {
+    PointsTables tables = new PointsTables(rows);
+    return List.of(tables.table44(), tables.means(), TimesTable.of(rows));
+  }
+
+  private Table table44() {
+    List<List<String>> cells =
+        rows.stream()
+            .filter(row -> row.trial().set() <= PointsStudy.SETS)
+            .map(this::cells)
+            .toList();
+    return new Table(
+        "Table 4.4 again: odd and even vertices of random sites",
+        List.of(
+            "Shape",
+            "Set",
+            "Points",
+            "Odd before",
+            "Odd after",
+            "Even before",
+            "Even after",
+            "Increase %",
+            "Thesis: odd before",
+            "odd after",
+            "even before",
+            "even after",
+            "increase %",
+            "Flips",
+            "Even, repeated",
+            "Scans",
+            "Even, best",
+            "Proven"),
+        cells,
+        List.of(
+            "Before: Delaunay. After: Scan-Flip. Repeated: Scan-Flip until it flips nothing more."
+                + " Best: the best triangulation found; proven where no triangulation has more."
+                + " The thesis's sets are others of the same sizes; its figures are as printed.",
+            "Sets after the fifth are counted in the means and listed in the CSV file only."));
+  }
+
+  private List<String> cells(StudyRow row) {
+    Trial trial = row.trial();
+    List<String> cells = new ArrayList<>();
+    cells.add(trial.shape());
+    cells.add(String.valueOf(trial.set()));
+    cells.add(String.valueOf(trial.n()));
+    addCounts(cells, trial.n(), row.count(PointsStudy.BEFORE), row.count(PointsStudy.AFTER));
+    Optional<ThesisTable.Row> printed =
+        isThesisShape(trial) ? thesis.row(trial.set(), trial.n()) : Optional.empty();
+    printed.ifPresentOrElse(
+        p -> addCounts(cells, trial.n(), p.evenBefore(), p.evenAfter()),
+        () -> cells.addAll(List.of(NONE, NONE, NONE, NONE, NONE)));
+    cells.add(String.valueOf(row.count(PointsStudy.FLIPS)));
+    cells.add(String.valueOf(row.count(PointsStudy.REPEATED)));
+    cells.add(String.valueOf(row.count(PointsStudy.SCANS)));
+    cells.add(String.valueOf(row.count(PointsStudy.BEST)));
+    cells.add(isProven(row) ? "yes" : "no");
+    return cells;
+  }
+
+  private static void addCounts(List<String> cells, int n, int before, int after) {
+    cells.add(String.valueOf(n - before));
+    cells.add(String.valueOf(n - after));
+    cells.add(String.valueOf(before));
+    cells.add(String.valueOf(after));
+    cells.add(percent(100.0 * (after - before) / before));
+  }
+
+  private static String percent(double value) {
+    return Double.isFinite(value) ? String.format(Locale.ROOT, "%.2f", value) : NONE;
+  }
+
+  private static boolean isThesisShape(Trial trial) {
+    return trial.shape().equals(PointsStudy.UNIFORM);
+  }
+
+  static boolean isProven(StudyRow row) {
+    return row.count(PointsStudy.BEST) == row.count(PointsStudy.LIMIT);
+  }
+
+  private Table means() {
+    List<List<String>> cells = new ArrayList<>();
+    for (String shape : shapes()) {
+      List<StudyRow> mine = rows.stream().filter(r -> r.trial().shape().equals(shape)).toList();
+      Set<Integer> sizes = new LinkedHashSet<>(mine.stream().map(r -> r.trial().n()).toList());
+      for (int n : sizes) {
+        cells.add(
+            mean(
+                shape,
+                n + "",
+                mine.stream().filter(r -> r.trial().n() == n).toList(),
+                thesis.rows(n)));
+      }
+      if (sizes.size() > 1) {
+        cells.add(mean(shape, "all", mine, thesis.rows()));
+      }
+    }
+    return new Table(
+        "Share of even vertices in per cent: mean ± half the 95 % interval (standard deviation)",
+        List.of(
+            "Shape",
+            "Points",
+            "Sets",
+            "Delaunay",
+            "Scan-Flip",
+            "Increase",
+            "Thesis: Delaunay",
+            "Scan-Flip",
+            "increase",
+            "Scan-Flip repeated",
+            "Best",
+            "Proven best"),
+        cells,
+        List.of());
+  }
+
+  private Set<String> shapes() {
+    return new LinkedHashSet<>(rows.stream().map(row -> row.trial().shape()).toList());
+  }
+
+  private List<String> mean(
+      String shape, String n, List<StudyRow> mine, List<ThesisTable.Row> theirs) {
+    boolean comparable = shape.equals(PointsStudy.UNIFORM);
+    List<ThesisTable.Row> printed = comparable ? theirs : List.of();
+    long proven = mine.stream().filter(PointsTables::isProven).count();
+    return Stream.of(
+            shape,
+            n,
+            String.valueOf(mine.size()),
+            words(mine, row -> row.percent(PointsStudy.BEFORE)),
+            words(mine, row -> row.percent(PointsStudy.AFTER)),
+            words(mine, PointsTables::increase),
+            words(printed, row -> 100.0 * row.evenBefore() / row.n()),
+            words(printed, row -> 100.0 * row.evenAfter() / row.n()),
+            words(printed, ThesisTable.Row::increase),
+            words(mine, row -> row.percent(PointsStudy.REPEATED)),
+            words(mine, row -> row.percent(PointsStudy.BEST)),
+            proven + " of " + mine.size())
+        .toList();
+  }
+
+  /** By how much Scan-Flip increased the even vertices, in per cent. */
+  static double increase(StudyRow row) {
+    int before = row.count(PointsStudy.BEFORE);
+    return 100.0 * (row.count(PointsStudy.AFTER) - before) / before;
+  }
+
+  private static <T> String words(List<T> rows, ToDoubleFunction<T> value) {
+    return Sample.of(rows.stream().mapToDouble(value).filter(Double::isFinite).toArray()).words();
+  }
+}

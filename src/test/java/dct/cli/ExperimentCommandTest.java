@@ -1,0 +1,153 @@
+package dct.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ExperimentCommandTest {
+  @TempDir Path folder;
+
+  private static CliRun points(Object... more) {
+    Object[] all = new Object[more.length + 6];
+    System.arraycopy(
+        new Object[] {"experiment", "points", "--sizes", "10,30-50:20", "--sets", 3}, 0, all, 0, 6);
+    System.arraycopy(more, 0, all, 6, more.length);
+    return CliRun.of(all);
+  }
+
+  @Test
+  void the_same_seed_gives_the_same_bytes_whatever_the_threads() {
+    CliRun one = points("--seed", 5, "--threads", 1).done();
+    assertThat(one.out()).contains("Table 4.4 again", "| Thesis: odd before |", "± ");
+    assertThat(points("--seed", 5, "--threads", 4)).isEqualTo(one);
+    assertThat(points("--seed", 6)).isNotEqualTo(one);
+  }
+
+  @Test
+  void rows_and_tables_are_written() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    Path md = folder.resolve("a.md");
+    Path tex = folder.resolve("a.tex");
+    CliRun run = points("-o", csv, "-o", md, "-o", tex).done();
+    assertThat(md).hasContent(run.out());
+    assertThat(tex).content().contains("\\toprule", "\\bottomrule");
+    List<String> lines = Files.readAllLines(csv);
+    assertThat(lines).hasSize(1 + 9);
+    int columns = lines.get(0).split(",", -1).length;
+    assertThat(lines).allMatch(line -> line.split(",", -1).length == columns);
+    assertThat(points("-o", "-").done().out()).isEqualTo(Files.readString(csv));
+  }
+
+  @Test
+  void a_row_can_be_made_again_from_its_seed() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    points("-o", csv).done();
+    for (String line : Files.readAllLines(csv).subList(1, 10)) {
+      String[] cells = line.split(",", -1);
+      String text =
+          CliRun.of("generate", "points", "-n", cells[1], "--seed", cells[3]).done().out();
+      String summary = CliRun.withInput(text, "triangulate", "-", "--flip", "--json").done().out();
+      assertThat(summary)
+          .contains("\"evenBefore\": " + cells[5] + ",", "\"even\": " + cells[6] + ",");
+    }
+  }
+
+  @Test
+  void a_smaller_study_is_carried_on() throws IOException {
+    Path grown = folder.resolve("grown.csv");
+    Path whole = folder.resolve("whole.csv");
+    CliRun.of("experiment", "points", "--sizes", "30", "--sets", 2, "-o", grown).done();
+    List<String> before = Files.readAllLines(grown);
+    points("-o", grown).done();
+    points("-o", whole).done();
+    assertThat(Files.readString(grown)).isEqualTo(Files.readString(whole)).contains(before);
+  }
+
+  @Test
+  void times_are_kept_when_asked_for() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    CliRun run = points("--times", "-o", csv).done();
+    assertThat(run.out()).contains("Time of each step");
+    assertThat(Files.readAllLines(csv).get(0))
+        .endsWith("delaunay_ms,scan_flip_ms,repeated_ms,best_ms");
+    CliRun mixed = points("-o", csv);
+    assertThat(mixed.status()).isEqualTo(3);
+    assertThat(mixed.err()).contains(csv + ":1: these are not the columns of this study");
+  }
+
+  @Test
+  void a_run_that_is_interrupted_keeps_its_rows_and_goes_on() throws Exception {
+    Path csv = folder.resolve("a.csv");
+    String[] study = {
+      "experiment", "points", "--sizes", "400,600", "--sets", "60", "--quiet", "-o", csv.toString()
+    };
+    Path err = folder.resolve("err.txt");
+    Process process = start(err, study);
+    while (process.isAlive() && (!Files.exists(csv) || lines(csv) < 5)) {
+      TimeUnit.MILLISECONDS.sleep(5);
+    }
+    process.destroy(); // a polite request, as Ctrl+C is
+    assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
+    String said = Files.readString(err);
+    int kept = lines(csv) - 1;
+    assertThat(kept).as(said).isBetween(4, 119);
+    assertThat(said).contains("stopped with " + kept + " of 120 rows; the same command goes on");
+    List<String> rows = Files.readAllLines(csv);
+    CliRun.of((Object[]) study).done();
+    assertThat(Files.readAllLines(csv)).hasSize(121).doesNotHaveDuplicates().containsAll(rows);
+  }
+
+  private static int lines(Path file) throws IOException {
+    return Files.readAllLines(file).size();
+  }
+
+  private static Process start(Path err, String... arguments) throws IOException {
+    List<String> command =
+        new java.util.ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "dct.Main"));
+    command.addAll(List.of(arguments));
+    return new ProcessBuilder(command)
+        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+        .redirectError(err.toFile())
+        .start();
+  }
+
+  @Test
+  void wrong_usage_is_said_in_one_sentence() {
+    requireUsage("there is no study of lines", "lines");
+    requireUsage("--sizes 2 is not from 3 to", "points", "--sizes", "2");
+    requireUsage("--sizes 99999999999 is not from 3 to", "points", "--sizes", "99999999999");
+    requireUsage("--sizes x is no number and no FROM-TO:STEP", "points", "--sizes", "10,x");
+    requireUsage("--sizes  is no number and no FROM-TO:STEP", "points", "--sizes", "10,");
+    requireUsage("--sizes 9-5:1 has no numbers in it", "points", "--sizes", "9-5:1");
+    requireUsage("--sizes 5-9:0 has no numbers in it", "points", "--sizes", "5-9:0");
+    requireUsage("--sets 0 is none, use 1 or more", "points", "--sets", "0");
+    requireUsage("--shapes sphere is unknown, use some of uniform", "points", "--shapes", "sphere");
+    requireUsage("--threads 0 is not from 1 to 1024", "points", "--threads", "0");
+    requireUsage("the ending of a.txt is no format of a study", "points", "-o", "a.txt");
+    requireUsage("Invalid value for option '--seed'", "points", "--seed", "one");
+  }
+
+  private static void requireUsage(String sentence, Object... arguments) {
+    Object[] all = new Object[arguments.length + 1];
+    all[0] = "experiment";
+    System.arraycopy(arguments, 0, all, 1, arguments.length);
+    CliRun run = CliRun.of(all);
+    assertThat(run.status()).as(run.err()).isEqualTo(2);
+    assertThat(run.err())
+        .contains(sentence)
+        .endsWith("see dct experiment --help\n")
+        .hasLineCount(1);
+    assertThat(run.out()).isEmpty();
+  }
+}
