@@ -2,7 +2,7 @@ package dct.cli;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.io.PointDocument;
 import java.io.IOException;
 import java.util.List;

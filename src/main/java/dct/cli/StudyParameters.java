@@ -1,6 +1,6 @@
 package dct.cli;
 
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.experiment.study.PointsStudy;
 import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;

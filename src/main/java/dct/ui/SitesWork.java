@@ -6,7 +6,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;

@@ -3,7 +3,7 @@ package dct.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.triangulate.Domain;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import java.io.IOException;

@@ -9,7 +9,7 @@ import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.io.PointFile;
 import dct.io.ResultJson;
 import dct.testing.RandomPolygons;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.experiment.RandomSites;
-import dct.experiment.SeededRandom;
+import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.SeededRandom;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

@@ -11,7 +11,7 @@ import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

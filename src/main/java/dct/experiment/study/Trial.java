@@ -1,6 +1,6 @@
 package dct.experiment.study;
 
-import dct.experiment.SeededRandom;
+import dct.experiment.generate.SeededRandom;
 
 /**
  * One set of sites or one polygon of a study, named so that it can be made again: {@code dct

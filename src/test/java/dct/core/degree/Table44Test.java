@@ -7,7 +7,7 @@ import dct.core.Progress;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import java.lang.System.Logger.Level;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;

@@ -9,7 +9,7 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.BeforeAll;

@@ -11,7 +11,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.ui.job.Jobs;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicInteger;

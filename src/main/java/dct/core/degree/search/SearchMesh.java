@@ -2,6 +2,7 @@ package dct.core.degree.search;
 
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
+import dct.core.geometry.HilbertOrder;
 import dct.core.geometry.Predicates;
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;

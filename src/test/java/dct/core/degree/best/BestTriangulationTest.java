@@ -13,7 +13,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
-import dct.experiment.RandomSites;
+import dct.experiment.generate.RandomSites;
 import dct.testing.RandomPolygons;
 import java.lang.System.Logger.Level;
 import java.util.Random;

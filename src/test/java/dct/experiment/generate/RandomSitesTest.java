@@ -1,4 +1,4 @@
-package dct.experiment;
+package dct.experiment.generate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

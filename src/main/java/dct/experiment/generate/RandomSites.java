@@ -1,7 +1,6 @@
-package dct.experiment;
+package dct.experiment.generate;
 
 import dct.core.geometry.Points;
-import java.util.BitSet;
 
 /**
  * Seeded random sites with integer coordinates, all different.
@@ -33,22 +32,8 @@ public final class RandomSites {
       throw new IllegalArgumentException(n + " sites");
     }
     int scale = scale(n);
-    int width = WIDTH * scale;
-    int height = HEIGHT * scale;
-    BitSet taken = new BitSet(width * height);
-    SeededRandom random = new SeededRandom(seed);
-    double[] x = new double[n];
-    double[] y = new double[n];
-    for (int i = 0; i < n; ) {
-      int px = random.nextInt(width);
-      int py = random.nextInt(height);
-      if (!taken.get(py * width + px)) {
-        taken.set(py * width + px);
-        x[i] = px;
-        y[i++] = py;
-      }
-    }
-    return Points.of(x, y);
+    Grid grid = new Area(WIDTH * scale, HEIGHT * scale, true).grid();
+    return Places.distinct(n, grid, new SeededRandom(seed)).points();
   }
 
   private static int scale(int n) {

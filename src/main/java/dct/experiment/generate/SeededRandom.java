@@ -1,4 +1,4 @@
-package dct.experiment;
+package dct.experiment.generate;
 
 /**
  * A stream of random numbers that is the same on every machine and JDK.
@@ -41,6 +41,23 @@ public final class SeededRandom {
       product = (nextLong() >>> 32) * bound;
     } while ((product & 0xFFFFFFFFL) < cut);
     return (int) (product >>> 32);
+  }
+
+  /**
+   * The next random whole number from 0 to {@code bound} − 1, each equally likely.
+   *
+   * @throws IllegalArgumentException if the bound is not positive
+   */
+  public long nextLong(long bound) {
+    if (bound <= 0) {
+      throw new IllegalArgumentException("bound is " + bound);
+    }
+    long most = Long.MAX_VALUE - (Long.MAX_VALUE % bound + 1) % bound;
+    long bits;
+    do { // the few draws that would favour some results are drawn again
+      bits = nextLong() >>> 1;
+    } while (bits > most);
+    return bits % bound;
   }
 
   /** The next random number from 0 (included) to 1 (excluded), a multiple of 2^-53. */

@@ -1,6 +1,5 @@
-package dct.core.degree.search;
+package dct.core.geometry;
 
-import dct.core.geometry.Points;
 import java.util.Arrays;
 
 /**
@@ -8,14 +7,14 @@ import java.util.Arrays;
  * near in the plane. Points in the same of 65,536² cells keep the order of their numbers. O(n log
  * n) time.
  */
-final class HilbertOrder {
+public final class HilbertOrder {
   private static final int BITS = 16;
   private static final int SIDE = 1 << BITS;
 
   private HilbertOrder() {}
 
   /** The numbers of the points in this order. */
-  static int[] of(Points points) {
+  public static int[] of(Points points) {
     double[] x = points.xs();
     double[] y = points.ys();
     double left = min(x);

@@ -1,0 +1,31 @@
+package dct.experiment.generate;
+
+/** Increasing random numbers that are spread evenly. */
+final class Strata {
+  private Strata() {}
+
+  /** Increasing numbers from 0 to size − 1: a random one from each of {@code count} equal parts. */
+  static int[] increasing(int count, long size, SeededRandom random) {
+    int[] values = new int[count];
+    for (int i = 0; i < count; i++) {
+      long low = size * i / count;
+      long high = size * (i + 1) / count;
+      values[i] = (int) (low + random.nextLong(high - low));
+    }
+    return values;
+  }
+
+  /**
+   * Makes sure that there are as many numbers as parts.
+   *
+   * @param what what needs them
+   * @throws CannotGenerateException if there are not
+   */
+  static void check(int count, long size, String what) {
+    if (count > size) {
+      throw new CannotGenerateException(
+          "%s needs %d places a side where the area has %d; take a larger area or fewer"
+              .formatted(what, count, size));
+    }
+  }
+}
