@@ -50,6 +50,20 @@ public final class Dcel {
     faces = new FreeList();
   }
 
+  /** Without faces yet, and without a look at the arrays. */
+  private Dcel(int vertices, int[] next, int[] prev, int[] origin) {
+    outEdge = new int[vertices];
+    degree = new int[vertices];
+    Arrays.fill(outEdge, NONE);
+    this.next = next;
+    this.prev = prev;
+    this.origin = origin;
+    face = new int[next.length];
+    Arrays.fill(face, NONE);
+    edges = new FreeList();
+    faces = new FreeList();
+  }
+
   private Dcel(Dcel that) {
     outEdge = that.outEdge.clone();
     degree = that.degree.clone();
@@ -95,7 +109,10 @@ public final class Dcel {
 
   /**
    * The subdivision with these half-edges, in linear time. Edges whose {@code next} is {@link
-   * #NONE} are left out and the others numbered anew in the same order; faces are found by walking.
+   * #NONE} are left out; the last edges take their numbers, and all others keep theirs. Faces are
+   * found by walking.
+   *
+   * <p>The arrays become those of the subdivision: the caller must not use them again.
    *
    * @param vertices the number of vertices; one without an edge stays isolated
    * @param next the half-edge after each one around its left face
@@ -105,26 +122,47 @@ public final class Dcel {
    *     plane is the outer face
    */
   public static Dcel of(int vertices, int[] next, int[] prev, int[] origin, int outer) {
-    int[] renumbered = new int[next.length];
-    int used = 0;
-    for (int e = 0; e < next.length; e += 2) {
-      if (next[e] != NONE) {
-        renumbered[e] = used++;
-        renumbered[e + 1] = used++;
-      }
+    Dcel dcel = new Dcel(vertices, next, prev, origin);
+    int start = dcel.closeGaps(outer);
+    for (int e = 0; e < 2 * dcel.edges.bound(); e++) {
+      dcel.outEdge[origin[e]] = e;
+      dcel.degree[origin[e]]++;
     }
-    Dcel dcel = new Dcel(vertices, used / 2, 0);
-    for (int e = 0; e < next.length; e++) {
-      if (next[e] != NONE) {
-        int renamed = renumbered[e];
-        dcel.set(renamed, origin[e], renumbered[next[e]], renumbered[prev[e]], NONE);
-        dcel.outEdge[origin[e]] = renamed;
-        dcel.degree[origin[e]]++;
-      }
-    }
-    dcel.edges.take(used / 2);
-    dcel.findFaces(used == 0 ? NONE : renumbered[outer]);
+    dcel.findFaces(dcel.edges.bound() == 0 ? NONE : start);
     return dcel;
+  }
+
+  /** Gives the numbers of missing edges to the last ones; returns where {@code watched} went. */
+  private int closeGaps(int watched) {
+    int end = next.length;
+    int moved = watched;
+    for (int e = 0; e < end; e += 2) {
+      while (e < end && next[e] == NONE) {
+        end -= 2;
+        if (e < end && next[end] != NONE) {
+          rename(end, e);
+          moved = (moved & ~1) == end ? e | (moved & 1) : moved;
+        }
+      }
+    }
+    edges.take(end / 2);
+    return moved;
+  }
+
+  /** Gives an edge, by its even half-edge, the number of one that is missing. */
+  private void rename(int from, int to) {
+    for (int side = 0; side < 2; side++) {
+      next[to + side] = next[from + side];
+      prev[to + side] = prev[from + side];
+      origin[to + side] = origin[from + side];
+    }
+    for (int side = 0; side < 2; side++) {
+      // An end without another edge links the edge with itself.
+      int following = next[to + side];
+      int preceding = prev[to + side];
+      link(to + side, (following & ~1) == from ? to | (following & 1) : following);
+      link((preceding & ~1) == from ? to | (preceding & 1) : preceding, to + side);
+    }
   }
 
   private void findFaces(int outer) {
@@ -413,7 +451,7 @@ public final class Dcel {
   }
 
   /**
-   * This subdivision without some of its inner edges, its edges and faces numbered anew; linear.
+   * This subdivision without some of its inner edges, whose numbers its last edges take; linear.
    *
    * @param removed numbers of edges that do not border the outer face; what is left must be
    *     connected
@@ -431,7 +469,7 @@ public final class Dcel {
       n[e] = NONE;
       n[t] = NONE;
     }
-    return of(vertexCount(), n, p, origin, faceEdge[OUTER]);
+    return of(vertexCount(), n, p, Arrays.copyOf(origin, n.length), faceEdge[OUTER]);
   }
 
   private void link(int e, int following) {

@@ -14,18 +14,10 @@ public final class Sites {
     this.merged = merged;
   }
 
-  /** The different points among these, in O(n). */
+  /** The different points among these, in O(n) expected time. */
   public static Sites of(Points points) {
-    int[] order = PlaneOrder.byYThenX(points);
-    boolean[] duplicate = new boolean[order.length];
-    int merged = 0;
-    for (int k = 1; k < order.length; k++) {
-      // The order is stable, so that the first of equal points has the lowest number.
-      if (points.same(order[k - 1], order[k])) {
-        duplicate[order[k]] = true;
-        merged++;
-      }
-    }
+    boolean[] duplicate = new boolean[points.size()];
+    int merged = new FirstOccurrences(points).markOthers(duplicate);
     return new Sites(merged == 0 ? points : without(points, duplicate, merged), merged);
   }
 

@@ -86,16 +86,25 @@ final class DelaunayMerge {
   }
 
   private Part triangulate(int lo, int hi, boolean byX) {
-    if (hi - lo == 2) {
-      return segment(lo, byX);
-    }
-    if (hi - lo == 3) {
-      return triangle(lo, byX);
+    if (hi - lo <= KdOrder.LEAF) {
+      return triangulateSorted(lo, hi);
     }
     int middle = KdOrder.middle(lo, hi);
     Part left = triangulate(lo, middle, !byX);
     Part right = triangulate(middle, hi, !byX);
     return mergeAlong(left, right, byX, hi - lo);
+  }
+
+  /** A few sites that are sorted by x: all cuts are by x, and nothing is turned. */
+  private Part triangulateSorted(int lo, int hi) {
+    if (hi - lo == 2) {
+      return segment(lo);
+    }
+    if (hi - lo == 3) {
+      return triangle(lo);
+    }
+    int middle = KdOrder.middle(lo, hi);
+    return merge(triangulateSorted(lo, middle), triangulateSorted(middle, hi));
   }
 
   private Part mergeAlong(Part left, Part right, boolean byX, int sites) {
@@ -113,17 +122,16 @@ final class DelaunayMerge {
 
   // ---- small parts
 
-  private Part segment(int lo, boolean byX) {
+  private Part segment(int lo) {
     Part part = new Part();
     int a = makeEdge(3 * lo, lo, lo + 1);
     part.ldo = a;
     part.rdo = a ^ 1;
     release(part, 3 * lo + 1, 3 * (lo + 2));
-    turn(part, byX);
     return part;
   }
 
-  private Part triangle(int lo, boolean byX) {
+  private Part triangle(int lo) {
     Part part = new Part();
     int a = makeEdge(3 * lo, lo, lo + 1);
     int b = makeEdge(3 * lo + 1, lo + 1, lo + 2);
@@ -141,7 +149,6 @@ final class DelaunayMerge {
       }
     }
     release(part, firstFree, 3 * (lo + 3));
-    turn(part, byX);
     return part;
   }
 

@@ -4,13 +4,14 @@ import dct.core.geometry.Points;
 import java.util.concurrent.RecursiveAction;
 
 /**
- * Sites in the order of a balanced kd-tree: every part [lo, hi) with more than three sites is cut
- * at {@link #middle} so that those before it precede those after it, by x and then y on even
- * levels, by y and then x on odd ones.
+ * Sites in the order of a balanced kd-tree: every part [lo, hi) with more than {@link #LEAF} sites
+ * is cut at {@link #middle} so that those before it precede those after it, by x and then y on even
+ * levels, by y and then x on odd ones. The sites of smaller parts are sorted by x and then y.
  *
  * <p>Quickselect with a median of three from fixed places, O(n log n) expected time.
  */
 final class KdOrder {
+  static final int LEAF = 8; // parts of so many sites or fewer are not cut
   private static final int PARALLEL = 1 << 13; // parts of at least this size are cut in parallel
 
   final double[] x; // coordinates in kd-order
@@ -66,7 +67,7 @@ final class KdOrder {
   }
 
   private void cut(int lo, int hi, boolean byX) {
-    if (hi - lo <= 3) {
+    if (hi - lo <= LEAF) {
       sortFew(lo, hi);
       return;
     }
@@ -76,12 +77,21 @@ final class KdOrder {
     cut(middle, hi, !byX);
   }
 
-  /** Two or three sites, by x and then y whatever the level. */
+  /** Sorts a few sites by x and then y, by insertion. */
   private void sortFew(int lo, int hi) {
     for (int i = lo + 1; i < hi; i++) {
-      for (int j = i; j > lo && precedes(j, j - 1, true); j--) {
-        swap(j, j - 1);
+      double px = x[i];
+      double py = y[i];
+      int s = site[i];
+      int j = i;
+      for (; j > lo && precedes(px, py, x[j - 1], y[j - 1], true); j--) {
+        x[j] = x[j - 1];
+        y[j] = y[j - 1];
+        site[j] = site[j - 1];
       }
+      x[j] = px;
+      y[j] = py;
+      site[j] = s;
     }
   }
 

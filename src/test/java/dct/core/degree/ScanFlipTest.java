@@ -60,8 +60,8 @@ class ScanFlipTest {
 
   @Test
   void someRunsFlipALot() {
-    var sites = RandomSets.families().get(0).make(60, 1);
-    assertThat(compare(Delaunay.triangulate(sites, Progress.NONE), "60 sites")).isGreaterThan(5);
+    var sites = RandomSets.families().get(0).make(200, 1);
+    assertThat(compare(Delaunay.triangulate(sites, Progress.NONE), "200 sites")).isGreaterThan(9);
     SimplePolygon polygon = SimplePolygon.of(RandomPolygons.families().get(0).make(60, 1));
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
     assertThat(compare(monotone, "60 vertices")).isGreaterThan(2);
