@@ -1,7 +1,9 @@
 package dct.cli;
 
+import dct.experiment.generate.CannotGenerateException;
 import dct.experiment.study.MarkdownText;
 import dct.experiment.study.Study;
+import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyFile;
 import dct.experiment.study.StudyRow;
 import dct.experiment.study.StudyRun;
@@ -14,6 +16,8 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct experiment}: a study, its rows, tables and charts. */
 final class ExperimentCommand extends Verb {
+  private static final int MOST_THREADS = 1024;
+
   private final StudyParameters study = new StudyParameters(this);
   private final OptionSpec threads =
       option(
@@ -50,10 +54,9 @@ final class ExperimentCommand extends Verb {
       if (file.isPresent()) {
         file.get().sort(chosen.trials());
       }
-      outputs.write(chosen, rows, isSet(times));
+      outputs.write(new StudyExport(chosen, rows, isSet(times)));
       if (!isSet(quiet) && !outputs.printRows()) {
-        console().out().write(outputs.bytes(MarkdownText.of(chosen.tables(rows))));
-        console().out().flush();
+        outputs.print(MarkdownText.of(chosen.tables(rows)));
       }
       return ended(chosen, rows);
     }
@@ -75,6 +78,8 @@ final class ExperimentCommand extends Verb {
       return isTimed ? rows : rows.stream().map(StudyRow::withoutTimes).toList();
     } catch (UncheckedIOException e) {
       throw e.getCause();
+    } catch (CannotGenerateException e) {
+      throw new UsageException(e.getMessage());
     }
   }
 
@@ -100,7 +105,7 @@ final class ExperimentCommand extends Verb {
             "dct experiment: stopped with %d of %d rows; %s%n",
             rows.size(),
             all,
-            outputs.hasFile()
+            outputs.rowFile().isPresent()
                 ? "the same command goes on from there"
                 : "with -o FILE.csv the same command could go on from there");
     return CommandLineProgram.FAILED;
@@ -109,9 +114,9 @@ final class ExperimentCommand extends Verb {
   private int workers() {
     Integer asked = threads.getValue();
     int workers = asked == null ? Runtime.getRuntime().availableProcessors() : asked;
-    if (workers < 1 || workers > StudyParameters.MOST_THREADS) {
+    if (workers < 1 || workers > MOST_THREADS) {
       throw new UsageException(
-          "--threads " + workers + " is not from 1 to " + StudyParameters.MOST_THREADS);
+          "--threads " + workers + " is not from 1 to " + MOST_THREADS);
     }
     return workers;
   }

@@ -1,48 +1,21 @@
 package dct.cli;
 
-import dct.experiment.study.LatexText;
-import dct.experiment.study.MarkdownText;
 import dct.experiment.study.Study;
-import dct.experiment.study.StudyCsv;
+import dct.experiment.study.StudyExport;
+import dct.experiment.study.StudyExport.Format;
 import dct.experiment.study.StudyFile;
-import dct.experiment.study.StudyRow;
-import dct.io.AtomicFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** Where a study goes. */
 final class StudyOutputs {
-
-  /** The formats, chosen by the ending of a file's name. */
-  private enum Format {
-    CSV,
-    MD,
-    TEX;
-
-    /** The format for a file of this name; a single hyphen is rows on standard output. */
-    static Format of(String name) {
-      String lower = name.toLowerCase(Locale.ROOT);
-      for (Format format : values()) {
-        if (lower.endsWith("." + format.name().toLowerCase(Locale.ROOT))) {
-          return format;
-        }
-      }
-      if (name.equals(Verb.STANDARD_STREAM)) {
-        return CSV;
-      }
-      throw new UsageException(
-          "the ending of " + name + " is no format of a study, use .csv, .md or .tex");
-    }
-  }
-
   private final Verb verb;
   private final OptionSpec output;
+  private final OptionSpec chart;
 
   /** Declares them. */
   StudyOutputs(Verb verb) {
@@ -50,8 +23,15 @@ final class StudyOutputs {
     output =
         verb.outputs(
             false,
-            "Where to: .csv the rows, .md or .tex the tables; - is the rows on standard output."
-                + " May repeat.");
+            "Where to: .csv the rows; .md or .tex the tables; .svg, .png or .pdf a chart; - is the"
+                + " rows on standard output. May repeat.");
+    chart =
+        verb.option(
+            "--chart",
+            "C",
+            String.class,
+            "Which chart: for points sizes (default), increase or shapes; for polygons shapes"
+                + " (default), sizes, pieces or reflex.");
   }
 
   private List<String> names() {
@@ -62,10 +42,27 @@ final class StudyOutputs {
   /**
    * Sees that all can be written for this study.
    *
-   * @throws UsageException if an ending is no format
+   * @throws UsageException if an ending is no format, or there is no such chart
    */
   void check(Study study) {
-    names().forEach(Format::of);
+    for (String name : names()) {
+      if (!name.equals(Verb.STANDARD_STREAM) && Format.of(name).isEmpty()) {
+        throw new UsageException(
+            "the ending of %s is no format of a study, use .csv, .md, .tex, .svg, .png or .pdf"
+                .formatted(name));
+      }
+    }
+    List<String> words = study.chartWords();
+    if (!words.contains(chartWord(study))) {
+      throw new UsageException(
+          "--chart %s is unknown, use one of %s"
+              .formatted(chartWord(study), String.join(", ", words)));
+    }
+  }
+
+  private String chartWord(Study study) {
+    String asked = chart.getValue();
+    return asked == null ? study.chartWords().get(0) : asked;
   }
 
   /** Whether standard output is taken by the rows. */
@@ -73,53 +70,36 @@ final class StudyOutputs {
     return names().contains(Verb.STANDARD_STREAM);
   }
 
-  /** Whether there is a file that keeps the rows. */
-  boolean hasFile() {
-    return fileName().isPresent();
-  }
-
-  private Optional<String> fileName() {
+  /** The file that keeps the rows: the first one of that format. */
+  Optional<String> rowFile() {
     return names().stream()
-        .filter(name -> !name.equals(Verb.STANDARD_STREAM) && Format.of(name) == Format.CSV)
+        .filter(name -> Format.of(name).filter(Format.CSV::equals).isPresent())
         .findFirst();
   }
 
-  /** Opens the file that keeps the rows: the first one of that format. */
+  /** Opens the file that keeps the rows. */
   Optional<StudyFile> open(Study study, boolean times) throws IOException {
-    Optional<String> name = fileName();
+    Optional<String> name = rowFile();
     return name.isPresent()
         ? Optional.of(StudyFile.open(InputParameters.path(name.get()), study, times))
         : Optional.empty();
   }
 
   /** Writes everything but the file that keeps the rows. */
-  void write(Study study, List<StudyRow> rows, boolean times) throws IOException {
+  void write(StudyExport export) throws IOException {
+    Optional<String> kept = rowFile();
     for (String name : names()) {
       if (name.equals(Verb.STANDARD_STREAM)) {
-        verb.console().out().write(bytes(new StudyCsv(study, times).text(rows)));
-        verb.console().out().flush();
-      } else if (!fileName().filter(name::equals).isPresent()) {
-        write(study, rows, times, name);
+        print(export.csv());
+      } else if (kept.filter(name::equals).isEmpty()) {
+        export.write(InputParameters.path(name), chartWord(export.study()));
       }
     }
   }
 
-  private void write(Study study, List<StudyRow> rows, boolean times, String name)
-      throws IOException {
-    Path file = InputParameters.path(name);
-    switch (Format.of(name)) {
-      case CSV -> text(file, new StudyCsv(study, times).text(rows));
-      case MD -> text(file, MarkdownText.of(study.tables(rows)));
-      case TEX -> text(file, LatexText.of(study.tables(rows)));
-    }
-  }
-
-  private void text(Path file, String text) throws IOException {
-    AtomicFile.write(file, out -> out.write(bytes(text)));
-  }
-
-  /** A text as it is printed and written. */
-  byte[] bytes(String text) {
-    return text.getBytes(StandardCharsets.UTF_8);
+  /** Prints a text on standard output as it is. */
+  void print(String text) throws IOException {
+    verb.console().out().write(text.getBytes(StandardCharsets.UTF_8));
+    verb.console().out().flush();
   }
 }

@@ -1,13 +1,21 @@
 package dct.cli;
 
+import dct.core.geometry.SimplePolygon;
+import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.RandomSites;
 import dct.experiment.study.PointsStudy;
+import dct.experiment.study.PolygonsStudy;
+import dct.experiment.study.SizeList;
 import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;
 import dct.experiment.study.ThesisTable;
-import java.util.ArrayList;
+import dct.io.PointFile;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import picocli.CommandLine.Model.OptionSpec;
@@ -15,12 +23,10 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** Which study, of what. */
 final class StudyParameters {
-  static final int MOST_THREADS = 1024;
-
   private static final long DEFAULT_SEED = 1;
-  private static final int FEWEST = 3; // vertices of a triangle
 
   private final PositionalParamSpec what;
+  private final PositionalParamSpec files;
   private final OptionSpec shapes;
   private final OptionSpec sizes;
   private final OptionSpec sets;
@@ -28,42 +34,81 @@ final class StudyParameters {
 
   /** Declares them. */
   StudyParameters(Verb verb) {
-    what = verb.parameter("points", "What is studied.");
-    shapes = verb.option("--shapes", "S,…", String.class, "How they lie: uniform.");
+    what = verb.parameter("points|polygons", "What is studied.");
+    files = verb.parameters("FILE", "Polygons that are studied, too.");
+    shapes =
+        verb.option(
+            "--shapes",
+            "S,…",
+            String.class,
+            "Which random ones, by the words of dct generate; for points uniform by default, for"
+                + " polygons all; none leaves only the files.");
     sizes =
         verb.option(
             "--sizes",
             "N,…",
             String.class,
-            "The numbers of vertices, as 50,100,200 or 50-500:50, which is the default for points.");
+            "The numbers of vertices, as 50,100,200 or 50-500:50, which is the default for points;"
+                + " for polygons 10,20,50,100,200,500,1000.");
     sets =
-        verb.option("--sets", "N", Integer.class, "How many of each shape and size; 5 for points.");
-    seed =
         verb.option(
-            "--seed", "N", Long.class, "From which all others follow, any whole number; 1.");
+            "--sets",
+            "N",
+            Integer.class,
+            "How many of each shape and size; 5 by default for points, 100 for polygons.");
+    seed =
+        verb.option("--seed", "N", Long.class, "From which all others follow, any whole number; 1.");
   }
 
   /**
    * The study that was asked for.
    *
    * @throws UsageException if there is none such
+   * @throws dct.io.BadInputException if a file is no polygon
    */
-  Study study() {
+  Study study() throws IOException {
     String word = what.getValue();
-    if (!word.equals("points")) {
-      throw new UsageException("there is no study of " + word + ", use points");
-    }
-    return new PointsStudy(
-        new StudyPlan(
-            chosenShapes(List.of(PointsStudy.UNIFORM)),
-            chosenSizes(ThesisTable.sizes(), RandomSites.MOST),
-            chosenSets(PointsStudy.SETS),
-            chosenSeed()));
+    return switch (word) {
+      case "points" -> points();
+      case "polygons" -> polygons();
+      default ->
+          throw new UsageException("there is no study of " + word + ", use points or polygons");
+    };
   }
 
-  private long chosenSeed() {
+  private Study points() {
+    if (!fileNames().isEmpty()) {
+      throw new UsageException("the study of points takes no files, leave them out");
+    }
+    List<String> known = List.of(PointsStudy.UNIFORM);
+    return new PointsStudy(
+        plan(known, known, ThesisTable.sizes(), RandomSites.MOST, PointsStudy.SETS));
+  }
+
+  private Study polygons() throws IOException {
+    List<String> known = Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
+    StudyPlan plan =
+        plan(known, known, PolygonsStudy.SIZES, PolygonShape.MOST, PolygonsStudy.SETS);
+    return new PolygonsStudy(plan, polygonFiles());
+  }
+
+  private StudyPlan plan(
+      List<String> known, List<String> usual, List<Integer> usualSizes, int most, int usualSets) {
+    String sizeList = sizes.getValue();
     Long asked = seed.getValue();
-    return Objects.requireNonNullElse(asked, DEFAULT_SEED);
+    return new StudyPlan(
+        chosenShapes(known, usual),
+        sizeList == null ? usualSizes : sizes(sizeList, most),
+        chosenSets(usualSets),
+        Objects.requireNonNullElse(asked, DEFAULT_SEED));
+  }
+
+  private static List<Integer> sizes(String text, int most) {
+    try {
+      return SizeList.parse(text, most);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException("--sizes " + e.getMessage());
+    }
   }
 
   private int chosenSets(int usual) {
@@ -75,10 +120,13 @@ final class StudyParameters {
     return number;
   }
 
-  private List<String> chosenShapes(List<String> known) {
+  private List<String> chosenShapes(List<String> known, List<String> usual) {
     String asked = shapes.getValue();
     if (asked == null) {
-      return known;
+      return usual;
+    }
+    if (asked.equals("none") && !fileNames().isEmpty()) {
+      return List.of();
     }
     Set<String> chosen = new LinkedHashSet<>();
     for (String word : asked.split(",", -1)) {
@@ -91,43 +139,16 @@ final class StudyParameters {
     return List.copyOf(chosen);
   }
 
-  private List<Integer> chosenSizes(List<Integer> usual, int most) {
-    String asked = sizes.getValue();
-    if (asked == null) {
-      return usual;
-    }
-    Set<Integer> chosen = new LinkedHashSet<>();
-    for (String range : asked.split(",", -1)) {
-      chosen.addAll(range(range, most));
-    }
-    return chosen.stream().sorted().toList();
+  private List<String> fileNames() {
+    List<String> names = files.getValue();
+    return Objects.requireNonNullElse(names, List.of());
   }
 
-  /** A number, or {@code FROM-TO:STEP}. */
-  private static List<Integer> range(String text, int most) {
-    String[] parts = text.split("[-:]", -1);
-    boolean isRange = text.matches("\\d+-\\d+:\\d+");
-    if (!isRange && !text.matches("\\d+")) {
-      throw new UsageException("--sizes %s is no number and no FROM-TO:STEP".formatted(text));
+  private Map<String, SimplePolygon> polygonFiles() throws IOException {
+    Map<String, SimplePolygon> polygons = new LinkedHashMap<>();
+    for (String name : fileNames()) {
+      polygons.put(name, PointFile.read(InputParameters.path(name)).polygon());
     }
-    int from = size(parts[0], most);
-    int to = isRange ? size(parts[1], most) : from;
-    long step = isRange ? Long.parseLong(parts[2]) : 1;
-    if (step < 1 || to < from) {
-      throw new UsageException("--sizes %s has no numbers in it".formatted(text));
-    }
-    List<Integer> sizes = new ArrayList<>();
-    for (long n = from; n <= to; n += step) {
-      sizes.add((int) n);
-    }
-    return sizes;
-  }
-
-  private static int size(String digits, int most) {
-    long n = digits.length() > 10 ? Long.MAX_VALUE : Long.parseLong(digits);
-    if (n < FEWEST || n > most) {
-      throw new UsageException("--sizes %s is not from %d to %d".formatted(digits, FEWEST, most));
-    }
-    return (int) n;
+    return polygons;
   }
 }

@@ -58,6 +58,7 @@ abstract class Verb implements Callable<Integer> {
     PositionalParamSpec parameter =
         PositionalParamSpec.builder()
             .paramLabel(label)
+            .index("0")
             .required(true)
             .arity("1")
             .type(String.class)
@@ -72,6 +73,7 @@ abstract class Verb implements Callable<Integer> {
     PositionalParamSpec parameters =
         PositionalParamSpec.builder()
             .paramLabel(label)
+            .index("1..*")
             .arity("0..*")
             .type(List.class)
             .auxiliaryTypes(String.class)

@@ -12,6 +12,8 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
+import dct.render.Scene;
+import dct.render.chart.Chart;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -108,6 +110,25 @@ public final class PointsStudy implements Study {
   @Override
   public List<Table> tables(List<StudyRow> rows) {
     return PointsTables.of(rows);
+  }
+
+  @Override
+  public List<String> chartWords() {
+    return PointsCharts.WORDS;
+  }
+
+  @Override
+  public List<Chart> charts(List<StudyRow> rows) {
+    return PointsCharts.of(rows);
+  }
+
+  @Override
+  public List<StudyPicture> pictures(Trial trial, Progress progress) {
+    Triangulation delaunay = Delaunay.triangulate(sites(trial), progress);
+    return List.of(
+        new StudyPicture("Delaunay", Scene.of(delaunay)),
+        new StudyPicture("Scan-Flip", Scene.of(ScanFlip.run(delaunay))),
+        new StudyPicture("Best", Scene.of(best(delaunay, progress))));
   }
 
   /**

@@ -1,6 +1,7 @@
 package dct.experiment.study;
 
 import dct.core.Progress;
+import dct.render.chart.Chart;
 import java.util.List;
 
 /**
@@ -34,4 +35,17 @@ public interface Study {
 
   /** Tables of these rows, the first being the study's own; some may have no rows. */
   List<Table> tables(List<StudyRow> rows);
+
+  /** The words of the charts, the first being the one to show unless another is asked for. */
+  List<String> chartWords();
+
+  /** The charts of these rows, in the order of their words; some may have no values. */
+  List<Chart> charts(List<StudyRow> rows);
+
+  /**
+   * Pictures of a trial, before and after, for somebody who wants to see what its row counts.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  List<StudyPicture> pictures(Trial trial, Progress progress);
 }

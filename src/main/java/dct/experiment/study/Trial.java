@@ -16,7 +16,8 @@ public record Trial(String shape, int n, int set, long seed) {
 
   /** The trial of a plan; its seed depends on the plan's seed, the size and the set alone. */
   static Trial planned(String shape, int n, int set, long planSeed) {
-    return new Trial(shape, n, set, mixed(mixed(mixed(planSeed) + n) + set) >>> (64 - KEPT_BITS));
+    long seed = mixed(mixed(mixed(planSeed) + n) + set) >>> (64 - KEPT_BITS);
+    return new Trial(shape, n, set, Math.max(1, seed));
   }
 
   private static long mixed(long value) {

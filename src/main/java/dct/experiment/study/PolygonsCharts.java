@@ -1,0 +1,118 @@
+package dct.experiment.study;
+
+import dct.experiment.study.PolygonsStudy.Method;
+import dct.render.chart.Chart;
+import dct.render.chart.Chart.Look;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+
+/** The charts of the study of polygons; given polygons are not in them. */
+final class PolygonsCharts {
+  static final List<String> WORDS = List.of("shapes", "sizes", "pieces", "reflex");
+
+  private static final String SHARE = "even vertices, %";
+  private static final String ERRORS = "; bars: 95 % interval of the mean";
+
+  private final List<StudyRow> rows;
+
+  private PolygonsCharts(List<StudyRow> rows) {
+    this.rows = rows;
+  }
+
+  static List<Chart> of(List<StudyRow> rows) {
+    PolygonsCharts charts =
+        new PolygonsCharts(rows.stream().filter(row -> !PolygonsStudy.isFile(row)).toList());
+    return List.of(charts.shapes(), charts.sizes(), charts.pieces(), charts.reflex());
+  }
+
+  /** Only the largest size: smaller ones are another chart's. */
+  private Chart shapes() {
+    int n = rows.stream().mapToInt(row -> row.trial().n()).max().orElse(0);
+    List<StudyRow> largest = rows.stream().filter(row -> row.trial().n() == n).toList();
+    Map<String, List<StudyRow>> groups = Groups.by(largest, row -> row.trial().shape());
+    return new Chart(
+        WORDS.get(0),
+        "Even vertices of random polygons with " + n + " vertices",
+        "shape" + ERRORS,
+        SHARE,
+        List.copyOf(groups.keySet()),
+        series((name, look, value) -> Groups.bars(name, look, groups.values(), value)));
+  }
+
+  private Chart sizes() {
+    return lines(
+        1, "Even vertices of random polygons", "vertices", Groups.by(rows, r -> r.trial().n()));
+  }
+
+  private Chart pieces() {
+    return lines(
+        2,
+        "Even vertices and convex pieces",
+        "convex pieces for each vertex",
+        bins(PolygonsTables::pieces));
+  }
+
+  private Chart reflex() {
+    return lines(
+        3,
+        "Even vertices and reflex vertices",
+        "share of reflex vertices",
+        bins(PolygonsTables::reflex));
+  }
+
+  private Map<Double, List<StudyRow>> bins(ToDoubleFunction<StudyRow> value) {
+    Function<StudyRow, Bin> bin = row -> Bin.of(value.applyAsDouble(row));
+    Map<Double, List<StudyRow>> bins = new TreeMap<>();
+    Groups.by(rows, bin).forEach((key, group) -> bins.put(key.middle(), group));
+    return bins;
+  }
+
+  private static Chart lines(
+      int word, String title, String x, Map<? extends Number, List<StudyRow>> groups) {
+    return new Chart(
+        WORDS.get(word),
+        title,
+        x + ERRORS,
+        SHARE,
+        List.of(),
+        series((name, look, value) -> Groups.overKeys(name, look, groups, value)));
+  }
+
+  /** Makes a series of the values of each row. */
+  @FunctionalInterface
+  private interface Maker {
+    Chart.Series make(String name, Look look, ToDoubleFunction<StudyRow> value);
+  }
+
+  private static List<Chart.Series> series(Maker maker) {
+    List<Chart.Series> series = new ArrayList<>();
+    for (Method method : Method.values()) {
+      series.add(maker.make(method.title(), pale(method), r -> r.percent(method.before())));
+      series.add(
+          maker.make(
+              method.title() + ", Scan-Flip", strong(method), r -> r.percent(method.after())));
+    }
+    series.add(maker.make("Best", Look.VIOLET, row -> row.percent(PolygonsStudy.BEST)));
+    return series;
+  }
+
+  private static Look pale(Method method) {
+    return switch (method) {
+      case EAR_CLIPPING -> Look.PALE_BLUE;
+      case MONOTONE -> Look.PALE_ORANGE;
+      case AQT -> Look.PALE_GREEN;
+    };
+  }
+
+  private static Look strong(Method method) {
+    return switch (method) {
+      case EAR_CLIPPING -> Look.BLUE;
+      case MONOTONE -> Look.ORANGE;
+      case AQT -> Look.GREEN;
+    };
+  }
+}

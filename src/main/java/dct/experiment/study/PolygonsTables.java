@@ -1,0 +1,133 @@
+package dct.experiment.study;
+
+import dct.experiment.study.PolygonsStudy.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+
+/** The tables of the study of polygons. */
+final class PolygonsTables {
+  private static final List<String> METHODS =
+      List.of(
+          "Ear clipping",
+          "Ear clipping, Scan-Flip",
+          "Monotone",
+          "Monotone, Scan-Flip",
+          "Partitioning-AQT",
+          "Partitioning-AQT, Scan-Flip",
+          "Best",
+          "Proven best");
+  private static final String WORDS =
+      "Numbers are means ± half the 95 % interval (standard deviation).";
+
+  private PolygonsTables() {}
+
+  /** The means by shape and size, pieces and reflex vertices; the files; the times. */
+  static List<Table> of(List<StudyRow> rows) {
+    List<StudyRow> random = rows.stream().filter(row -> !PolygonsStudy.isFile(row)).toList();
+    return List.of(
+        bySize(random),
+        byShare("Convex pieces for each vertex", random, PolygonsTables::pieces),
+        byShare("Reflex vertices for each vertex", random, PolygonsTables::reflex),
+        files(rows.stream().filter(PolygonsStudy::isFile).toList()),
+        TimesTable.of(rows));
+  }
+
+  static double pieces(StudyRow row) {
+    return row.perVertex(PolygonsStudy.PIECES);
+  }
+
+  static double reflex(StudyRow row) {
+    return row.perVertex(PolygonsStudy.REFLEX);
+  }
+
+  private static Table bySize(List<StudyRow> rows) {
+    List<List<String>> cells = new ArrayList<>();
+    Groups.by(rows, row -> row.trial().shape())
+        .forEach(
+            (shape, mine) ->
+                Groups.by(mine, row -> row.trial().n())
+                    .forEach((n, group) -> cells.add(sizeCells(shape, n, group))));
+    return new Table(
+        "Share of even vertices of random polygons in per cent",
+        columns("Shape", "Vertices", "Polygons", "Reflex vertices", "Convex pieces"),
+        cells,
+        List.of(WORDS));
+  }
+
+  private static List<String> sizeCells(String shape, int n, List<StudyRow> group) {
+    List<String> cells =
+        new ArrayList<>(List.of(shape, String.valueOf(n), String.valueOf(group.size())));
+    cells.add(mean(group, row -> row.count(PolygonsStudy.REFLEX)));
+    cells.add(mean(group, row -> row.count(PolygonsStudy.PIECES)));
+    addMethods(cells, group);
+    return cells;
+  }
+
+  private static String mean(List<StudyRow> group, ToDoubleFunction<StudyRow> value) {
+    return String.format(Locale.ROOT, "%.1f", Groups.sample(group, value).mean());
+  }
+
+  private static List<String> columns(String... first) {
+    List<String> columns = new ArrayList<>(List.of(first));
+    columns.addAll(METHODS);
+    return columns;
+  }
+
+  private static void addMethods(List<String> cells, List<StudyRow> group) {
+    for (Method method : Method.values()) {
+      cells.add(share(group, method.before()));
+      cells.add(share(group, method.after()));
+    }
+    cells.add(share(group, PolygonsStudy.BEST));
+    long proven = group.stream().filter(PolygonsTables::isProven).count();
+    cells.add(proven + " of " + group.size());
+  }
+
+  private static String share(List<StudyRow> group, String count) {
+    return Groups.sample(group, row -> row.percent(count)).words();
+  }
+
+  private static boolean isProven(StudyRow row) {
+    return row.count(PolygonsStudy.BEST) == row.count(PolygonsStudy.LIMIT);
+  }
+
+  private static Table byShare(
+      String what, List<StudyRow> rows, ToDoubleFunction<StudyRow> value) {
+    List<List<String>> cells = new ArrayList<>();
+    Function<StudyRow, Bin> bin = row -> Bin.of(value.applyAsDouble(row));
+    for (Map.Entry<Bin, List<StudyRow>> entry : Groups.by(rows, bin).entrySet()) {
+      List<String> line = new ArrayList<>();
+      line.add(entry.getKey().words());
+      line.add(String.valueOf(entry.getValue().size()));
+      addMethods(line, entry.getValue());
+      cells.add(line);
+    }
+    return new Table(
+        what + ", and the share of even vertices in per cent",
+        columns(what, "Polygons"),
+        cells,
+        List.of("All shapes and sizes together. " + WORDS));
+  }
+
+  private static Table files(List<StudyRow> rows) {
+    List<List<String>> cells = new ArrayList<>();
+    for (StudyRow row : rows) {
+      List<String> line = new ArrayList<>();
+      line.add(row.trial().shape());
+      line.add(String.valueOf(row.trial().n()));
+      line.add(String.valueOf(row.count(PolygonsStudy.REFLEX)));
+      line.add(String.valueOf(row.count(PolygonsStudy.PIECES)));
+      addMethods(line, List.of(row));
+      cells.add(line);
+    }
+    return new Table(
+        "Share of even vertices of the given polygons in per cent",
+        columns("File", "Vertices", "Reflex vertices", "Convex pieces"),
+        cells,
+        List.of());
+  }
+}

@@ -1,0 +1,83 @@
+package dct.render.chart;
+
+import dct.io.AtomicFile;
+import dct.io.CannotWriteException;
+import dct.render.Theme;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+
+/** Writes charts as pictures, light on white. */
+public final class ChartFile {
+  private static final int WIDTH = 900;
+  private static final int HEIGHT = 480;
+  private static final int DOTS = 2; // of an image, for each unit
+
+  /** The formats, each chosen by the ending of the same name. */
+  public enum Format {
+    PNG,
+    SVG,
+    PDF;
+
+    /** The format that a file's ending asks for, or nothing for another ending. */
+    public static Optional<Format> of(Path file) {
+      String name = file.toString().toLowerCase(Locale.ROOT);
+      return Arrays.stream(values())
+          .filter(format -> name.endsWith("." + format.name().toLowerCase(Locale.ROOT)))
+          .findFirst();
+    }
+  }
+
+  private ChartFile() {}
+
+  /**
+   * Writes a chart in the format of the file's ending, whole or not at all.
+   *
+   * @throws IllegalArgumentException if the ending is no format
+   * @throws CannotWriteException if writing failed; nothing is changed then
+   */
+  public static void write(Chart chart, Path file) throws CannotWriteException {
+    Format format =
+        Format.of(file)
+            .orElseThrow(() -> new IllegalArgumentException(file + " has no ending of a chart"));
+    AtomicFile.write(file, out -> write(chart, format, out));
+  }
+
+  private static void write(Chart chart, Format format, OutputStream out) throws IOException {
+    switch (format) {
+      case PNG -> ImageIO.write(image(chart), "png", out);
+      case SVG -> out.write(svg(chart).getBytes(StandardCharsets.UTF_8));
+      case PDF -> PdfPage.write(WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
+    }
+  }
+
+  private static void paint(Chart chart, Graphics2D graphics) {
+    ChartPainter.paint(chart, graphics, WIDTH, HEIGHT, Theme.LIGHT);
+  }
+
+  private static BufferedImage image(Chart chart) {
+    BufferedImage image =
+        new BufferedImage(DOTS * WIDTH, DOTS * HEIGHT, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    graphics.setRenderingHint(
+        RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    graphics.scale(DOTS, DOTS);
+    paint(chart, graphics);
+    graphics.dispose();
+    return image;
+  }
+
+  private static String svg(Chart chart) {
+    SvgGraphics graphics = new SvgGraphics(WIDTH, HEIGHT);
+    paint(chart, graphics);
+    return graphics.finish();
+  }
+}

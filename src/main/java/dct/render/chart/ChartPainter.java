@@ -1,0 +1,114 @@
+package dct.render.chart;
+
+import dct.render.Ink;
+import dct.render.Theme;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.util.List;
+import org.knowm.xchart.CategoryChart;
+import org.knowm.xchart.CategoryChartBuilder;
+import org.knowm.xchart.CategorySeries;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.AxesChartStyler;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** Draws charts on any {@link Graphics2D}, by XChart. */
+public final class ChartPainter {
+  private static final int MARKER = 7;
+  private static final float LINE = 2;
+  private static final int SLANT = 25; // degrees; of the names below bars
+  private static final double BARS = 0.86; // part of the width that bars take
+  private static final double RANGE = 50; // of the x-values, beyond which their axis is logarithmic
+
+  private final Chart chart;
+  private final Theme theme;
+  private final int width;
+  private final int height;
+
+  private ChartPainter(Chart chart, Theme theme, int width, int height) {
+    this.chart = chart;
+    this.theme = theme;
+    this.width = width;
+    this.height = height;
+  }
+
+  /** Draws a chart with its upper left corner at the origin. */
+  public static void paint(Chart chart, Graphics2D graphics, int width, int height, Theme theme) {
+    ChartPainter painter = new ChartPainter(chart, theme, width, height);
+    if (chart.hasBars()) {
+      painter.bars().paint(graphics, width, height);
+    } else {
+      painter.lines().paint(graphics, width, height);
+    }
+  }
+
+  private XYChart lines() {
+    XYChart made =
+        new XYChartBuilder()
+            .width(width)
+            .height(height)
+            .title(chart.title())
+            .xAxisTitle(chart.xLabel())
+            .yAxisTitle(chart.yLabel())
+            .build();
+    style(made.getStyler());
+    made.getStyler().setXAxisLogarithmic(isWide());
+    for (Chart.Series series : chart.series()) {
+      XYSeries line =
+          made.addSeries(series.name(), array(series.x()), array(series.y()), array(series.error()));
+      line.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(colour(series));
+      line.setLineColor(colour(series)).setLineStyle(new BasicStroke(LINE));
+    }
+    return made;
+  }
+
+  private boolean isWide() {
+    double[] all =
+        chart.series().stream().flatMap(s -> s.x().stream()).mapToDouble(x -> x).sorted().toArray();
+    return all.length > 0 && all[0] > 0 && all[all.length - 1] > RANGE * all[0];
+  }
+
+  private CategoryChart bars() {
+    CategoryChart made =
+        new CategoryChartBuilder()
+            .width(width)
+            .height(height)
+            .title(chart.title())
+            .xAxisTitle(chart.xLabel())
+            .yAxisTitle(chart.yLabel())
+            .build();
+    style(made.getStyler());
+    made.getStyler().setAvailableSpaceFill(BARS).setXAxisLabelRotation(SLANT);
+    for (Chart.Series series : chart.series()) {
+      CategorySeries bar =
+          made.addSeries(series.name(), chart.categories(), series.y(), series.error());
+      bar.setFillColor(colour(series));
+    }
+    return made;
+  }
+
+  private void style(AxesChartStyler styler) {
+    Color ground = new Color(Ink.BACKGROUND.rgb(theme));
+    Color ink = new Color(Ink.LABEL.rgb(theme));
+    styler.setChartBackgroundColor(ground).setPlotBackgroundColor(ground);
+    styler.setLegendBackgroundColor(ground).setChartFontColor(ink);
+    styler.setAxisTickLabelsColor(ink).setAxisTickMarksColor(ink);
+    styler.setXAxisTitleColor(ink).setYAxisTitleColor(ink);
+    styler.setLegendPosition(LegendPosition.OutsideE).setLegendBorderColor(ground);
+    styler.setMarkerSize(MARKER).setPlotBorderVisible(false).setToolTipsEnabled(false);
+    styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
+    styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) & 0xFFFFFF | 0x50000000, true));
+  }
+
+  private static Color colour(Chart.Series series) {
+    return new Color(series.look().rgb());
+  }
+
+  private static double[] array(List<Double> values) {
+    return values.stream().mapToDouble(v -> v).toArray();
+  }
+}

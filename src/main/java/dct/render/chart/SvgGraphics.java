@@ -1,0 +1,125 @@
+package dct.render.chart;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Shape;
+import java.awt.geom.PathIterator;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** Writes what is drawn as an SVG 1.1 document: a path for each shape, letters too. */
+final class SvgGraphics extends ShapeGraphics {
+  private static final String COMMANDS = "mlqcz"; // by the numbers of PathIterator
+  private static final int[] POINTS = {1, 1, 2, 3, 0}; // of each
+  private static final double HUNDRED = 100;
+
+  private final StringBuilder out = new StringBuilder();
+  private Shape lastClip;
+  private int clips;
+
+  /** A drawing of this size, in pixels. */
+  SvgGraphics(int width, int height) {
+    out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"").append(width);
+    out.append("\" height=\"").append(height).append("\" viewBox=\"0 0 ").append(width);
+    out.append(' ').append(height).append("\">\n");
+  }
+
+  /** The whole document; nothing can be drawn after. */
+  String finish() {
+    return out.append("</svg>\n").toString();
+  }
+
+  @Override
+  void fill(Shape shape, Color paint, Shape within) {
+    String path = path(shape);
+    if (!path.isEmpty()) {
+      clipTo(within);
+      out.append("<path fill=\"").append(hex(paint)).append('"');
+      opacity("fill", paint);
+      end(shape, path, within);
+    }
+  }
+
+  @Override
+  void draw(Shape shape, Color paint, BasicStroke pen, Shape within) {
+    clipTo(within);
+    out.append("<path fill=\"none\" stroke=\"").append(hex(paint)).append('"');
+    opacity("stroke", paint);
+    out.append(" stroke-width=\"").append(number(pen.getLineWidth())).append('"');
+    if (pen.getDashArray() != null) {
+      out.append(" stroke-dasharray=\"");
+      for (float dash : pen.getDashArray()) {
+        out.append(number(dash)).append(' ');
+      }
+      out.append('"');
+    }
+    end(shape, path(shape), within);
+  }
+
+  private void opacity(String what, Color paint) {
+    if (paint.getAlpha() < 255) {
+      out.append(' ').append(what).append("-opacity=\"");
+      out.append(number(paint.getAlpha() / 255.0)).append('"');
+    }
+  }
+
+  private void end(Shape shape, String path, Shape within) {
+    if (shape.getPathIterator(null).getWindingRule() == PathIterator.WIND_EVEN_ODD) {
+      out.append(" fill-rule=\"evenodd\"");
+    }
+    if (within != null) {
+      out.append(" clip-path=\"url(#c").append(clips).append(")\"");
+    }
+    out.append(" d=\"").append(path).append("\"/>\n");
+  }
+
+  /** Makes the clip the last one that is defined. */
+  private void clipTo(Shape within) {
+    if (within != null && within != lastClip) {
+      lastClip = within;
+      clips++;
+      out.append("<clipPath id=\"c").append(clips).append("\"><path d=\"");
+      out.append(path(within)).append("\"/></clipPath>\n");
+    }
+  }
+
+  /** The path, its coordinates from point to point in hundredths: half as long as otherwise. */
+  private static String path(Shape shape) {
+    StringBuilder path = new StringBuilder();
+    double[] at = new double[6];
+    long[] pen = new long[2];
+    long[] start = pen.clone(); // of the part of the path that is open
+    for (PathIterator i = shape.getPathIterator(null); !i.isDone(); i.next()) {
+      int kind = i.currentSegment(at);
+      path.append(COMMANDS.charAt(kind));
+      for (int k = 0; k < 2 * POINTS[kind]; k++) {
+        appendHundredths(path, Math.round(HUNDRED * at[k]) - pen[k & 1]);
+      }
+      if (kind == PathIterator.SEG_CLOSE) {
+        pen = start.clone();
+      } else {
+        pen[0] = Math.round(HUNDRED * at[2 * POINTS[kind] - 2]);
+        pen[1] = Math.round(HUNDRED * at[2 * POINTS[kind] - 1]);
+      }
+      start = kind == PathIterator.SEG_MOVETO ? pen.clone() : start;
+    }
+    return path.toString();
+  }
+
+  private static void appendHundredths(StringBuilder path, long hundredths) {
+    boolean first = Character.isLetter(path.charAt(path.length() - 1));
+    path.append(first || hundredths < 0 ? "" : " ").append(number(hundredths / HUNDRED));
+  }
+
+  private static String number(double value) {
+    return BigDecimal.valueOf(value)
+        .setScale(2, RoundingMode.HALF_EVEN)
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+
+  private static String hex(Color paint) {
+    return "#" + Integer.toHexString(0x1000000 | paint.getRGB() & 0xFFFFFF).substring(1);
+  }
+}

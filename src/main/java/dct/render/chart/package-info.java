@@ -1,0 +1,2 @@
+/** Charts of numbers, on the screen and in files. */
+package dct.render.chart;

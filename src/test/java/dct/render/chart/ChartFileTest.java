@@ -1,0 +1,114 @@
+package dct.render.chart;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dct.render.chart.Chart.Look;
+import dct.render.chart.Chart.Series;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.apache.pdfbox.Loader;
+import org.apache.pdfbox.pdmodel.PDDocument;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+
+class ChartFileTest {
+  private static final Chart LINES =
+      new Chart(
+          "lines",
+          "Lines & more",
+          "n",
+          "%",
+          List.of(),
+          List.of(
+              new Series(
+                  "a", Look.GREEN, List.of(1.0, 9.0, 90.0), List.of(1.0, 3.0, 2.0), errors(3)),
+              new Series("b", Look.ORANGE, List.of(2.0), List.of(4.0), errors(1))));
+  private static final Chart BARS =
+      new Chart(
+          "bars",
+          "Bars",
+          "shape",
+          "%",
+          List.of("one", "two"),
+          List.of(
+              new Series("a", Look.BLUE, List.of(), List.of(1.0, 3.0), errors(2)),
+              new Series("b", Look.VIOLET, List.of(), List.of(2.0, 1.0), errors(2))));
+  private static final Chart EMPTY = new Chart("empty", "Nothing", "n", "%", List.of(), List.of());
+
+  @TempDir Path folder;
+
+  private static List<Double> errors(int n) {
+    return java.util.Collections.nCopies(n, 0.5);
+  }
+
+  private Path write(Chart chart, String ending) throws IOException {
+    Path file = folder.resolve(chart.word() + ending);
+    ChartFile.write(chart, file);
+    return file;
+  }
+
+  @Test
+  void an_image_shows_each_series_in_its_colour() throws IOException {
+    requireColours(LINES, Look.GREEN, Look.ORANGE);
+    requireColours(BARS, Look.BLUE, Look.VIOLET);
+    requireColours(EMPTY);
+  }
+
+  private void requireColours(Chart chart, Look... looks) throws IOException {
+    BufferedImage image = ImageIO.read(write(chart, ".png").toFile());
+    for (Look look : looks) {
+      int pixels = 0;
+      for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
+        int rgb = image.getRGB(i % image.getWidth(), i / image.getWidth()) & 0xFFFFFF;
+        pixels += rgb == look.rgb() ? 1 : 0;
+      }
+      assertThat(pixels).as("%s in %s", look, chart.word()).isGreaterThan(50);
+    }
+  }
+
+  @Test
+  void an_svg_is_well_formed_and_the_same_each_time() throws Exception {
+    for (Chart chart : List.of(LINES, BARS, EMPTY)) {
+      String text = Files.readString(write(chart, ".svg"));
+      Document document =
+          DocumentBuilderFactory.newInstance()
+              .newDocumentBuilder()
+              .parse(
+                  new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+      assertThat(document.getElementsByTagName("path").getLength()).isPositive();
+      chart
+          .series()
+          .forEach(s -> assertThat(text).contains("#%06x".formatted(s.look().rgb())));
+      assertThat(Files.readString(write(chart, ".svg"))).isEqualTo(text);
+    }
+  }
+
+  @Test
+  void a_pdf_has_one_page_and_is_the_same_each_time() throws IOException {
+    byte[] bytes = Files.readAllBytes(write(LINES, ".pdf"));
+    try (PDDocument document = Loader.loadPDF(bytes)) {
+      assertThat(document.getNumberOfPages()).isOne();
+    }
+    assertThat(Files.readAllBytes(write(LINES, ".pdf"))).isEqualTo(bytes);
+  }
+
+  @Test
+  void another_ending_is_refused() {
+    assertThatThrownBy(() -> write(LINES, ".gif")).isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void values_without_a_place_are_refused() {
+    assertThatThrownBy(
+            () -> new Series("a", Look.BLUE, List.of(1.0), List.of(1.0, 2.0), errors(2)))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+}
