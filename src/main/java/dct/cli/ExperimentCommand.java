@@ -115,8 +115,7 @@ final class ExperimentCommand extends Verb {
     Integer asked = threads.getValue();
     int workers = asked == null ? Runtime.getRuntime().availableProcessors() : asked;
     if (workers < 1 || workers > MOST_THREADS) {
-      throw new UsageException(
-          "--threads " + workers + " is not from 1 to " + MOST_THREADS);
+      throw new UsageException("--threads " + workers + " is not from 1 to " + MOST_THREADS);
     }
     return workers;
   }

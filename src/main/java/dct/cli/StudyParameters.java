@@ -57,7 +57,8 @@ final class StudyParameters {
             Integer.class,
             "How many of each shape and size; 5 by default for points, 100 for polygons.");
     seed =
-        verb.option("--seed", "N", Long.class, "From which all others follow, any whole number; 1.");
+        verb.option(
+            "--seed", "N", Long.class, "From which all others follow, any whole number; 1.");
   }
 
   /**
@@ -87,8 +88,7 @@ final class StudyParameters {
 
   private Study polygons() throws IOException {
     List<String> known = Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
-    StudyPlan plan =
-        plan(known, known, PolygonsStudy.SIZES, PolygonShape.MOST, PolygonsStudy.SETS);
+    StudyPlan plan = plan(known, known, PolygonsStudy.SIZES, PolygonShape.MOST, PolygonsStudy.SETS);
     return new PolygonsStudy(plan, polygonFiles());
   }
 

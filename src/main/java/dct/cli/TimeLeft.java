@@ -4,7 +4,9 @@ import dct.core.Progress;
 import dct.experiment.study.RunClock;
 import java.io.PrintStream;
 
-/** Says on standard error, in a line now and then, how far a study is and how long it will go on. */
+/**
+ * Says on standard error, in a line now and then, how far a study is and how long it will go on.
+ */
 final class TimeLeft implements Progress {
   private static final double FIRST_SECONDS = 2;
   private static final double SECONDS_BETWEEN = 5;

@@ -58,6 +58,49 @@ class ExperimentCommandTest {
     }
   }
 
+  private static CliRun polygons(Object... more) {
+    Object[] all = new Object[more.length + 6];
+    System.arraycopy(
+        new Object[] {"experiment", "polygons", "--sizes", "12,40", "--sets", 3}, 0, all, 0, 6);
+    System.arraycopy(more, 0, all, 6, more.length);
+    return CliRun.of(all);
+  }
+
+  @Test
+  void polygons_give_the_same_bytes_whatever_the_threads() {
+    CliRun one = polygons("--threads", 1).done();
+    assertThat(one.out())
+        .contains("Share of even vertices of random polygons", "| two-opt ", "| 6 of 6 |")
+        .contains("Convex pieces for each vertex", "Reflex vertices for each vertex");
+    assertThat(polygons("--threads", 3)).isEqualTo(one);
+  }
+
+  @Test
+  void real_polygons_are_studied_too() {
+    Path file = Path.of("samples", "comb_polygonbased.txt");
+    CliRun run = CliRun.of("experiment", "polygons", file, "--shapes", "none").done();
+    assertThat(run.out()).contains("Share of even vertices of the given polygons", "| " + file);
+    assertThat(CliRun.of("experiment", "polygons", file, "--shapes", "none", "-o", "-").out())
+        .hasLineCount(2)
+        .contains("\n" + file + ",40,1,0,");
+    CliRun sites = CliRun.of("experiment", "polygons", "samples/random_50_pointbased.txt");
+    assertThat(sites.status()).as(sites.err()).isEqualTo(3);
+    CliRun missing = CliRun.of("experiment", "polygons", "missing.txt");
+    assertThat(missing.status()).as(missing.err()).isEqualTo(3);
+  }
+
+  @Test
+  void charts_are_drawn_in_every_format() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    for (String chart : List.of("shapes", "sizes", "pieces", "reflex")) {
+      for (String ending : List.of(".svg", ".png", ".pdf")) {
+        Path file = folder.resolve(chart + ending);
+        polygons("--quiet", "--chart", chart, "-o", csv, "-o", file).done();
+        assertThat(Files.size(file)).as("%s", file).isGreaterThan(5000);
+      }
+    }
+  }
+
   @Test
   void a_smaller_study_is_carried_on() throws IOException {
     Path grown = folder.resolve("grown.csv");
@@ -133,6 +176,10 @@ class ExperimentCommandTest {
     requireUsage("--sizes 5-9:0 has no numbers in it", "points", "--sizes", "5-9:0");
     requireUsage("--sets 0 is none, use 1 or more", "points", "--sets", "0");
     requireUsage("--shapes sphere is unknown, use some of uniform", "points", "--shapes", "sphere");
+    requireUsage("--shapes none is unknown", "polygons", "--shapes", "none");
+    requireUsage("the study of points takes no files", "points", "a.txt");
+    requireUsage(
+        "--chart x is unknown, use one of sizes, increase, shapes", "points", "--chart", "x");
     requireUsage("--threads 0 is not from 1 to 1024", "points", "--threads", "0");
     requireUsage("the ending of a.txt is no format of a study", "points", "-o", "a.txt");
     requireUsage("Invalid value for option '--seed'", "points", "--seed", "one");

@@ -67,8 +67,7 @@ final class PointsCharts {
         List.of(),
         List.of(
             Groups.overKeys("Scan-Flip", Look.BLUE, bySize, PointsTables::increase),
-            Groups.overKeys(
-                "thesis: Scan-Flip", Look.ORANGE, thesis, ThesisTable.Row::increase)));
+            Groups.overKeys("thesis: Scan-Flip", Look.ORANGE, thesis, ThesisTable.Row::increase)));
   }
 
   private Chart shapes() {

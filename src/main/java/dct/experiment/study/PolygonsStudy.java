@@ -22,7 +22,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiFunction;
 
 /**
  * The experiment on polygons that the thesis left open for want of random polygons (its Section
@@ -43,19 +42,24 @@ public final class PolygonsStudy implements Study {
 
   /** A way to triangulate that is studied, also with Scan-Flip after it. */
   enum Method {
-    EAR_CLIPPING("ear_clipping", "Ear clipping", EarClipping::triangulate),
-    MONOTONE("monotone", "Monotone", MonotoneTriangulation::triangulate),
-    AQT("partitioning_aqt", "Partitioning-AQT", PartitioningAqt::triangulate);
+    EAR_CLIPPING("ear_clipping", "Ear clipping"),
+    MONOTONE("monotone", "Monotone"),
+    AQT("partitioning_aqt", "Partitioning-AQT");
 
     private final String word;
     private final String title;
-    private final BiFunction<SimplePolygon, Progress, Triangulation> run;
 
-    Method(
-        String word, String title, BiFunction<SimplePolygon, Progress, Triangulation> run) {
+    Method(String word, String title) {
       this.word = word;
       this.title = title;
-      this.run = run;
+    }
+
+    private Triangulation run(SimplePolygon polygon, Progress progress) {
+      return switch (this) {
+        case EAR_CLIPPING -> EarClipping.triangulate(polygon, progress);
+        case MONOTONE -> MonotoneTriangulation.triangulate(polygon, progress);
+        case AQT -> PartitioningAqt.triangulate(polygon, progress);
+      };
     }
 
     /** Its name for people. */
@@ -132,7 +136,7 @@ public final class PolygonsStudy implements Study {
     counts.put(REFLEX, reflex(polygon));
     counts.put(PIECES, pieces(polygon, progress));
     for (Method method : Method.values()) {
-      Triangulation made = laps.time(method.word, () -> method.run.apply(polygon, progress));
+      Triangulation made = laps.time(method.word, () -> method.run(polygon, progress));
       counts.put(method.before(), DegreeCount.of(made).even());
       counts.put(method.after(), DegreeCount.of(ScanFlip.run(made).after()).even());
     }

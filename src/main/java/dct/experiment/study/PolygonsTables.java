@@ -95,8 +95,7 @@ final class PolygonsTables {
     return row.count(PolygonsStudy.BEST) == row.count(PolygonsStudy.LIMIT);
   }
 
-  private static Table byShare(
-      String what, List<StudyRow> rows, ToDoubleFunction<StudyRow> value) {
+  private static Table byShare(String what, List<StudyRow> rows, ToDoubleFunction<StudyRow> value) {
     List<List<String>> cells = new ArrayList<>();
     Function<StudyRow, Bin> bin = row -> Bin.of(value.applyAsDouble(row));
     for (Map.Entry<Bin, List<StudyRow>> entry : Groups.by(rows, bin).entrySet()) {

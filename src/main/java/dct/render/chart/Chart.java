@@ -62,8 +62,7 @@ public record Chart(
    * @param y the values, NaN for none; of a chart of bars one for each category
    * @param error half the height of each value's error bar
    */
-  public record Series(
-      String name, Look look, List<Double> x, List<Double> y, List<Double> error) {
+  public record Series(String name, Look look, List<Double> x, List<Double> y, List<Double> error) {
 
     /** Checks that there is an error for each value. */
     public Series {

@@ -21,6 +21,7 @@ public final class ChartPainter {
   private static final int MARKER = 7;
   private static final float LINE = 2;
   private static final int SLANT = 25; // degrees; of the names below bars
+  private static final int GRID_ALPHA = 0x50000000;
   private static final double BARS = 0.86; // part of the width that bars take
   private static final double RANGE = 50; // of the x-values, beyond which their axis is logarithmic
 
@@ -59,7 +60,8 @@ public final class ChartPainter {
     made.getStyler().setXAxisLogarithmic(isWide());
     for (Chart.Series series : chart.series()) {
       XYSeries line =
-          made.addSeries(series.name(), array(series.x()), array(series.y()), array(series.error()));
+          made.addSeries(
+              series.name(), array(series.x()), array(series.y()), array(series.error()));
       line.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(colour(series));
       line.setLineColor(colour(series)).setLineStyle(new BasicStroke(LINE));
     }
@@ -101,7 +103,7 @@ public final class ChartPainter {
     styler.setLegendPosition(LegendPosition.OutsideE).setLegendBorderColor(ground);
     styler.setMarkerSize(MARKER).setPlotBorderVisible(false).setToolTipsEnabled(false);
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
-    styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) & 0xFFFFFF | 0x50000000, true));
+    styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));
   }
 
   private static Color colour(Chart.Series series) {

@@ -420,8 +420,7 @@ abstract class ShapeGraphics extends Graphics2D {
   }
 
   @Override
-  public final boolean drawImage(
-      Image image, int x, int y, Color ground, ImageObserver observer) {
+  public final boolean drawImage(Image image, int x, int y, Color ground, ImageObserver observer) {
     throw refused("an image");
   }
 

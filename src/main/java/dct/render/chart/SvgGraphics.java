@@ -120,6 +120,6 @@ final class SvgGraphics extends ShapeGraphics {
   }
 
   private static String hex(Color paint) {
-    return "#" + Integer.toHexString(0x1000000 | paint.getRGB() & 0xFFFFFF).substring(1);
+    return "#" + Integer.toHexString(0x1000000 | (paint.getRGB() & 0xFFFFFF)).substring(1);
   }
 }

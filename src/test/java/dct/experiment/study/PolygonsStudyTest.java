@@ -91,10 +91,8 @@ class PolygonsStudyTest {
           tables.get(t).rows().stream().mapToInt(row -> Integer.parseInt(row.get(1))).sum();
       assertThat(polygons).isEqualTo(rows.size() - 1);
     }
-    assertThat(tables.get(3).rows())
-        .singleElement()
-        .asList()
-        .startsWith(PENTAGON, "5", "1", "2");
+    assertThat(tables.get(3).rows()).hasSize(1);
+    assertThat(tables.get(3).rows().get(0)).startsWith(PENTAGON, "5", "1", "2");
   }
 
   @Test

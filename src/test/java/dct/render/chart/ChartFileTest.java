@@ -81,12 +81,9 @@ class ChartFileTest {
       Document document =
           DocumentBuilderFactory.newInstance()
               .newDocumentBuilder()
-              .parse(
-                  new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+              .parse(new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
       assertThat(document.getElementsByTagName("path").getLength()).isPositive();
-      chart
-          .series()
-          .forEach(s -> assertThat(text).contains("#%06x".formatted(s.look().rgb())));
+      chart.series().forEach(s -> assertThat(text).contains("#%06x".formatted(s.look().rgb())));
       assertThat(Files.readString(write(chart, ".svg"))).isEqualTo(text);
     }
   }
@@ -107,8 +104,7 @@ class ChartFileTest {
 
   @Test
   void values_without_a_place_are_refused() {
-    assertThatThrownBy(
-            () -> new Series("a", Look.BLUE, List.of(1.0), List.of(1.0, 2.0), errors(2)))
+    assertThatThrownBy(() -> new Series("a", Look.BLUE, List.of(1.0), List.of(1.0, 2.0), errors(2)))
         .isInstanceOf(IllegalArgumentException.class);
   }
 }
