@@ -1,26 +1,43 @@
 package dct.cli;
 
-import dct.core.geometry.Points;
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
-import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.Area;
+import dct.experiment.generate.CannotGenerateException;
+import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.SiteShape;
 import dct.io.PointDocument;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** {@code dct generate}: seeded random input. */
 final class GenerateCommand extends Verb {
   private static final long DEFAULT_SEED = 1;
+  private static final Pattern AREA = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
 
-  private final PositionalParamSpec what = parameter("points", "What to make.");
-  private final OptionSpec n = requiredOption("-n", "N", Integer.class, "How many.");
+  private final PositionalParamSpec what =
+      parameter("points|polygon", "What to make: points or polygon.");
+  private final OptionSpec n = requiredOption("-n", "N", Integer.class, "How many vertices.");
   private final OptionSpec shape =
-      option("--shape", "S", String.class, "How they lie: uniform (default and only).");
+      option("--shape", "S", String.class, "One of those above; " + defaults() + " by default.");
   private final OptionSpec seed =
       option(
-          "--seed", "N", Long.class, "Which of the random sets, any whole number; 1 by default.");
+          "--seed", "N", Long.class, "Which of the random ones, any whole number; 1 by default.");
+  private final OptionSpec area =
+      option(
+          "--area",
+          "WxH",
+          String.class,
+          "Where they lie: 0 ≤ x < W and 0 ≤ y < H. By default 1000x700, both sides doubled until"
+              + " so many have ample room.");
+  private final OptionSpec real =
+      flag("--real", "Real coordinates, instead of whole numbers only.");
   private final OptionSpec output =
       outputs(
           false,
@@ -28,42 +45,99 @@ final class GenerateCommand extends Verb {
               + " May repeat.");
 
   GenerateCommand(Console console) {
-    super(
-        console,
-        "Makes random points.",
-        "They have integer coordinates, are all different, 0 ≤ x < 1000 and 0 ≤ y < 700. From 350001"
-            + " points on, both sides are doubled until half of the places stay free. The same"
-            + " options give the same points on every machine.");
+    super(console, description());
+  }
+
+  private static String defaults() {
+    return SiteShape.UNIFORM.word() + " or " + PolygonShape.TWO_OPT.word();
+  }
+
+  private static String[] description() {
+    List<String> lines = new ArrayList<>();
+    lines.add("Makes random points, all different, or the vertices of a random simple polygon.");
+    lines.add("The same options make the same on every machine.");
+    lines.add("");
+    lines.add("Shapes of points:");
+    for (SiteShape each : SiteShape.values()) {
+      lines.add(line(each.word(), each.description()));
+    }
+    lines.add("Shapes of polygons:");
+    for (PolygonShape each : PolygonShape.values()) {
+      lines.add(line(each.word(), each.description()));
+    }
+    lines.add("");
+    return lines.toArray(String[]::new);
+  }
+
+  private static String line(String word, String description) {
+    return "  %-20s%s".formatted(word, description);
   }
 
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
-    checkShape();
-    PointDocument document = PointDocument.of(STANDARD_STREAM, Domain.SITES, points());
+    PointDocument document = document();
     for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
       PointOutput.write(document, file, console());
     }
     return CommandLineProgram.DONE;
   }
 
-  private void checkShape() {
+  private PointDocument document() {
     String word = what.getValue();
-    if (!word.equals("points")) {
-      throw new UsageException(word + " cannot be made, only points");
-    }
-    String wished = shape.getValue();
-    if (wished != null && !wished.equals("uniform")) {
-      throw new UsageException("--shape " + wished + " is unknown, use uniform");
+    try {
+      return switch (word) {
+        case "points" -> points();
+        case "polygon" -> polygon();
+        default -> throw new UsageException(word + " cannot be made, only points or polygon");
+      };
+    } catch (CannotGenerateException e) {
+      throw new UsageException(e.getMessage());
     }
   }
 
-  private Points points() {
+  private PointDocument points() {
+    String word = Objects.requireNonNullElse(shape.getValue(), SiteShape.UNIFORM.word());
+    SiteShape wished = SiteShape.of(word).orElseThrow(() -> unknown(word, SiteShape.words()));
     int count = n.getValue();
-    if (count < 1 || count > RandomSites.MOST) {
-      throw new UsageException("-n " + count + " is not from 1 to " + RandomSites.MOST);
-    }
+    return PointDocument.of(
+        STANDARD_STREAM,
+        Domain.SITES,
+        wished.generate(count, area(wished.areaFor(count)), seed(), Progress.NONE));
+  }
+
+  private PointDocument polygon() {
+    String word = Objects.requireNonNullElse(shape.getValue(), PolygonShape.TWO_OPT.word());
+    PolygonShape wished =
+        PolygonShape.of(word).orElseThrow(() -> unknown(word, PolygonShape.words()));
+    int count = n.getValue();
+    return PointDocument.of(
+        STANDARD_STREAM,
+        Domain.POLYGON,
+        wished.generate(count, area(wished.areaFor(count)), seed(), Progress.NONE).points());
+  }
+
+  private static UsageException unknown(String word, String words) {
+    return new UsageException("--shape %s is unknown, use %s".formatted(word, words));
+  }
+
+  private long seed() {
     Long wished = seed.getValue();
-    return RandomSites.uniform(count, Objects.requireNonNullElse(wished, DEFAULT_SEED));
+    return Objects.requireNonNullElse(wished, DEFAULT_SEED);
+  }
+
+  private Area area(Area ample) {
+    String wished = area.getValue();
+    Area area = wished == null ? ample : parsed(wished);
+    return isSet(real) ? area.real() : area;
+  }
+
+  private static Area parsed(String wished) {
+    Matcher sides = AREA.matcher(wished);
+    if (!sides.matches()) {
+      throw new UsageException(
+          "--area " + wished + " is not a width and a height such as 1000x700");
+    }
+    return new Area(Integer.parseInt(sides.group(1)), Integer.parseInt(sides.group(2)), true);
   }
 }

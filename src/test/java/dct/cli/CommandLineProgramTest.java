@@ -71,12 +71,13 @@ class CommandLineProgramTest {
         "generate points | dct generate: Missing required option: '-n=N'; see dct generate --help",
         "generate points -n x | dct generate: Invalid value for option '-n': 'x' is not an int;"
             + " see dct generate --help",
-        "generate points -n 0 | dct generate: -n 0 is not from 1 to 100000000;"
+        "generate points -n 0 | dct generate: the number of random sites is from 1 to 100000000;"
+            + " 0 is not;"
             + " see dct generate --help",
-        "generate circles -n 5 | dct generate: circles cannot be made, only points;"
+        "generate circles -n 5 | dct generate: circles cannot be made, only points or polygon;"
             + " see dct generate --help",
-        "generate points -n 5 --shape ring | dct generate: --shape ring is unknown, use uniform;"
-            + " see dct generate --help",
+        "generate points -n 5 --shape ring | dct generate: --shape ring is unknown, use uniform, disk,"
+            + " clusters, lattice, jittered-lattice, circle, lines; see dct generate --help",
         "convert - | dct convert: Missing required option: '--output=OUTPUT';"
             + " see dct convert --help",
       })

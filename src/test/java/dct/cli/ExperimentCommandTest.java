@@ -70,7 +70,7 @@ class ExperimentCommandTest {
   void polygons_give_the_same_bytes_whatever_the_threads() {
     CliRun one = polygons("--threads", 1).done();
     assertThat(one.out())
-        .contains("Share of even vertices of random polygons", "| two-opt ", "| 6 of 6 |")
+        .contains("Share of even vertices of random polygons", "| two-opt ", " 3 of 3 |")
         .contains("Convex pieces for each vertex", "Reflex vertices for each vertex");
     assertThat(polygons("--threads", 3)).isEqualTo(one);
   }

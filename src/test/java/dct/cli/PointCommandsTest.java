@@ -3,7 +3,9 @@ package dct.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.triangulate.Domain;
+import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.SiteShape;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import java.io.IOException;
@@ -12,6 +14,8 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The verbs generate, convert and check. */
 class PointCommandsTest {
@@ -40,6 +44,54 @@ class PointCommandsTest {
     assertThat(CliRun.withInput(run.out(), "check", "-").done().out())
         .isEqualTo("-: 30 usable sites\n");
     assertThat(CliRun.withInput(run.out(), "triangulate", "-", "--quiet").done().out()).isEmpty();
+  }
+
+  @Test
+  void generate_makes_polygons_of_every_shape() {
+    for (PolygonShape shape : PolygonShape.values()) {
+      CliRun run =
+          CliRun.of("generate", "polygon", "-n", 40, "--shape", shape.word(), "--seed", 3).done();
+      assertThat(run.out().lines()).hasSize(41).startsWith("# kind: polygon");
+      assertThat(CliRun.withInput(run.out(), "check", "-").done().out())
+          .isEqualTo("-: a simple polygon with 40 vertices, counter-clockwise\n");
+      assertThat(CliRun.of("generate", "--help").done().out()).contains("  " + shape.word() + " ");
+    }
+    for (SiteShape shape : SiteShape.values()) {
+      CliRun run = CliRun.of("generate", "points", "-n", 40, "--shape", shape.word()).done();
+      assertThat(CliRun.withInput(run.out(), "check", "-").done().out())
+          .isEqualTo("-: 40 usable sites\n");
+      assertThat(CliRun.of("generate", "--help").done().out()).contains("  " + shape.word() + " ");
+    }
+  }
+
+  @Test
+  void generate_stays_in_the_area_and_leaves_the_whole_numbers_when_asked() {
+    CliRun whole = CliRun.of("generate", "polygon", "-n", 9, "--area", "3x3").done();
+    assertThat(whole.out().lines().skip(1))
+        .hasSize(9)
+        .allMatch(line -> line.matches("[012] [012]"));
+    CliRun real = CliRun.of("generate", "points", "-n", 9, "--area", "3x3", "--real").done();
+    assertThat(real.out().lines().skip(1))
+        .allMatch(line -> line.matches("[012]\\.\\d+ [012]\\.\\d+"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "polygon -n 2 | the number of vertices of a random polygon is from 3 to 10000000; 2 is not",
+        "polygon -n 5 --shape ring | --shape ring is unknown, use two-opt, steady-growth,",
+        "polygon -n 5 --shape orthogonal | an orthogonal polygon has an even number of vertices",
+        "polygon -n 5 --area 9x1 | all places of the area lie on one line; take an area of two",
+        "polygon -n 5 --area 2x2 | 5 points do not fit into 4 places; take a larger area or fewer",
+        "polygon -n 5 --area wide | --area wide is not a width and a height such as 1000x700",
+        "points -n 5 --area 0x9 | an area of 0 × 9 cannot be; its sides are from 1 to 67108864",
+      })
+  void generate_says_why_something_cannot_be_made(String words, String sentence) {
+    CliRun run = CliRun.of((Object[]) ("generate " + words).split(" ", -1));
+    assertThat(run.err()).startsWith("dct generate: " + sentence).hasLineCount(1);
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.out()).isEmpty();
   }
 
   @Test

@@ -10,7 +10,10 @@ import java.util.stream.Collectors;
 /** The families of random simple polygons. */
 public enum PolygonShape {
   /** 2-opt moves from a random tour. */
-  TWO_OPT("two-opt", "2-opt", "random points, untangled by 2-opt"),
+  TWO_OPT("two-opt", "2-opt", "random points, untangled by 2-opt; slow above 30,000"),
+  /** Steady Growth. */
+  STEADY_GROWTH(
+      "steady-growth", "Steady Growth", "grown outwards, point by point; slow above 30,000"),
   /** Space Partitioning. */
   SPACE_PARTITIONING(
       "space-partitioning", "Space Partitioning", "random points, split by random lines"),
@@ -20,6 +23,8 @@ public enum PolygonShape {
   X_MONOTONE("x-monotone", "x-Monotone", "two chains from left to right"),
   /** Strictly convex. */
   CONVEX("convex", "Convex", "uniform among strictly convex polygons"),
+  /** Level and upright edges in turn. */
+  ORTHOGONAL("orthogonal", "Orthogonal", "level and upright edges in turn"),
   /** A toothed polygon. */
   COMB("comb", "Comb", "pointed teeth on a straight back"),
   /** A wound corridor. */
@@ -90,10 +95,12 @@ public enum PolygonShape {
   private Points points(int n, Area area, SeededRandom random, Progress progress) {
     return switch (this) {
       case TWO_OPT -> Untangling.fromRandomTour(n, area, random, progress);
+      case STEADY_GROWTH -> SteadyGrowth.polygon(n, area, random, progress);
       case SPACE_PARTITIONING -> SpacePartitioning.polygon(n, area, random, progress);
       case STAR_SHAPED -> StarShaped.polygon(n, area, random, progress);
       case X_MONOTONE -> MonotoneChains.polygon(n, area, random, progress);
       case CONVEX -> ConvexPosition.polygon(n, area, random, progress);
+      case ORTHOGONAL -> Orthogonal.polygon(n, area, random, progress);
       case COMB -> Comb.polygon(n, area, random, progress);
       case SPIRAL -> Spiral.polygon(n, area, random, progress);
       case SPANNING_TREE -> SpanningTree.polygon(n, area, random, progress);
@@ -104,7 +111,8 @@ public enum PolygonShape {
   private static void check(int n) {
     if (n < LEAST || n > MOST) {
       throw new CannotGenerateException(
-          "a random polygon has from %d to %d vertices; %d is not".formatted(LEAST, MOST, n));
+          "the number of vertices of a random polygon is from %d to %d; %d is not"
+              .formatted(LEAST, MOST, n));
     }
   }
 
@@ -127,6 +135,7 @@ public enum PolygonShape {
     double shorter = Math.min(area.width(), area.height());
     return switch (this) {
       case CONVEX -> (double) n * n * n <= shorter * shorter;
+      case ORTHOGONAL -> 8L * n <= (long) area.width() * area.height();
       case COMB, SPIRAL -> n <= shorter;
       default -> 2L * n <= (long) area.width() * area.height();
     };
