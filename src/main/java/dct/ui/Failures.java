@@ -2,6 +2,7 @@ package dct.ui;
 
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
+import dct.experiment.generate.CannotGenerateException;
 import dct.io.BadInputException;
 import java.awt.Component;
 import java.io.UncheckedIOException;
@@ -29,6 +30,8 @@ final class Failures {
       show(what, e.defect());
     } else if (cause instanceof BadInputException e) {
       Ask.sorry(parent, what, sentence(e));
+    } else if (cause instanceof CannotGenerateException e) {
+      Ask.sorry(parent, what, "Nothing was changed: " + e.getMessage() + ".");
     } else if (cause instanceof UncheckedIOException e) {
       Ask.sorry(parent, what, e.getCause().getMessage());
     } else if (cause instanceof OutOfMemoryError) {

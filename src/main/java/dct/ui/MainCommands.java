@@ -30,8 +30,14 @@ final class MainCommands {
   private final Command clear;
   private final Command flip;
   private final Command random;
+  private final Command randomPolygon;
 
-  MainCommands(Workbench workbench, PolygonResults polygons, SitesWork sites, WishWork wishes) {
+  MainCommands(
+      Workbench workbench,
+      PolygonResults polygons,
+      SitesWork sites,
+      RandomPolygon randomPolygons,
+      WishWork wishes) {
     this.workbench = workbench;
     this.polygons = polygons;
     this.sites = sites;
@@ -46,6 +52,12 @@ final class MainCommands {
             "Flips diagonals so that more vertices are even",
             this::flip);
     random = add("Random Sites", "shift R", "Puts n random sites on the canvas", sites::random);
+    randomPolygon =
+        add(
+            "Random Polygon…",
+            "ctrl R",
+            "Puts a random polygon of a shape to choose on the canvas",
+            randomPolygons::ask);
     addApplications();
     addTools();
     addMethods();
@@ -127,6 +139,7 @@ final class MainCommands {
     clear.enabledWhen(() -> workbench.domain().isPresent());
     flip.enabledWhen(() -> workbench.domain().isPresent());
     random.enabledWhen(() -> isChosen(Domain.SITES));
+    randomPolygon.enabledWhen(() -> isChosen(Domain.POLYGON));
   }
 
   private static String label(java.util.Optional<String> edit) {
@@ -197,6 +210,10 @@ final class MainCommands {
 
   Command clear() {
     return clear;
+  }
+
+  Command randomPolygon() {
+    return randomPolygon;
   }
 
   /** The buttons of each application, from top to bottom. */

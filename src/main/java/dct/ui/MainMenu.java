@@ -95,6 +95,7 @@ final class MainMenu {
     menu.line();
     commands.buttons().get(Domain.POLYGON).forEach(add);
     commands.buttons().get(Domain.SITES).forEach(add);
+    menu.with(commands.randomPolygon());
     menu.line();
     commands.goals().forEach(menu::with);
     return menu;

@@ -47,7 +47,8 @@ public final class MainWindow extends JFrame {
     SitesWork sites = new SitesWork(this, workbench, canvas::showWell);
     files = new FileWork(this, workbench, this::showOpened);
     WishWork wishes = new WishWork(this, workbench, files::folder);
-    commands = new MainCommands(workbench, polygons, sites, wishes);
+    RandomPolygon random = new RandomPolygon(this, workbench, canvas::showWell);
+    commands = new MainCommands(workbench, polygons, sites, random, wishes);
     east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
     MainMenu menu = new MainMenu(this, canvas, files, commands);
     setJMenuBar(menu.bar());

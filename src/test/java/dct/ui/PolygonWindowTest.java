@@ -13,6 +13,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
+import dct.experiment.generate.PolygonShape;
 import dct.render.Ink;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.fixture.JOptionPaneFixture;
@@ -103,6 +104,34 @@ class PolygonWindowTest extends WindowTest {
     double right = 9 / onEventThread(() -> result.canvas().viewport().scale());
     requireInk(result.canvas(), Ink.UNMET, (first ? 500 : 100) + right, 100);
     requireInk(result.canvas(), Ink.UNMET, (first ? 500 : 100) + right, 400);
+  }
+
+  @Test
+  void randomPolygonAsksForNumberShapeAndSeed() {
+    draw(DRAWN);
+    askForRandomPolygon("two", PolygonShape.TWO_OPT, "1");
+    assertThat(message(dialog())).contains("“two” is no number of vertices");
+    answer(dialog(), "OK");
+    answer(dialog(), "Cancel");
+    assertThat(points()).isEqualTo(Points.ofPairs(DRAWN));
+    askForRandomPolygon("61", PolygonShape.ORTHOGONAL, "-5");
+    assertThat(message(dialog())).contains("an orthogonal polygon has an even number");
+    answer(dialog(), "OK");
+    assertThat(points()).isEqualTo(Points.ofPairs(DRAWN));
+    askForRandomPolygon("60", PolygonShape.ORTHOGONAL, "-5");
+    Points expected = PolygonShape.ORTHOGONAL.generate(60, -5).points();
+    await("the polygon", () -> points().equals(expected));
+    requireInk(canvas(), Ink.VERTEX, expected.x(7), expected.y(7));
+    type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    assertThat(points()).isEqualTo(Points.ofPairs(DRAWN));
+  }
+
+  private void askForRandomPolygon(String n, PolygonShape shape, String seed) {
+    type(KeyEvent.VK_R, KeyEvent.VK_CONTROL);
+    fill(dialog().textBox("vertices"), n);
+    dialog().comboBox("shape").selectItem(shape.title());
+    fill(dialog().textBox("seed"), seed);
+    answer(dialog(), "OK");
   }
 
   @Test
