@@ -1,7 +1,10 @@
 package dct.testing;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
+import dct.experiment.generate.Area;
+import dct.experiment.generate.PolygonShape;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -45,8 +48,8 @@ public final class RandomPolygons {
         new Family("y-monotone", (n, r) -> Transforms.rotated(xMonotone(n, r), 1)),
         new Family("grown", (n, r) -> GrownPolygon.grow(n, 10 * n, r)),
         new Family("grown on a small grid", (n, r) -> GrownPolygon.grow(n, gridFor(n), r)),
-        new Family("untangled", (n, r) -> Untangled.untangle(Math.min(n, 30), 1000, r)),
-        new Family("untangled on a grid", (n, r) -> Untangled.untangle(Math.min(n, 16), 6, r)),
+        new Family("untangled", (n, r) -> untangled(n, 1000, r)),
+        new Family("untangled on a full grid", (n, r) -> untangled(n, 1 + side(n), r)),
         new Family("cells", (n, r) -> Polyomino.grow(n / 2 + 1, r).outline(false)),
         new Family("cells, every grid point", (n, r) -> Polyomino.grow(n / 2, r).outline(true)),
         new Family("maze", (n, r) -> Polyomino.maze(n / 4 + 2, r).outline(r.nextBoolean())),
@@ -56,6 +59,15 @@ public final class RandomPolygons {
         new Family("wide range of exponents", RandomPolygons::wideRange),
         new Family("convex", RandomPolygons::convex),
         new Family("convex with straight vertices", RandomPolygons::convexWithStraightVertices));
+  }
+
+  private static int side(int n) {
+    return (int) Math.sqrt(n);
+  }
+
+  private static Points untangled(int n, int side, Random random) {
+    Area area = new Area(side, side, true);
+    return PolygonShape.TWO_OPT.generate(n, area, random.nextLong(), Progress.NONE).points();
   }
 
   private static int gridFor(int n) {
