@@ -16,31 +16,24 @@ import java.util.Map;
 
 /** Draws on any {@link Graphics2D}: the screen or an image. */
 public final class GraphicsPen implements Pen {
-  private static final double TINY = 1.2;
   private static final float RIM = 3.5f;
 
   private final Graphics2D graphics;
-  private final boolean smooth;
   private final Map<Ink, Color> colours = new EnumMap<>(Ink.class);
   private final Line2D.Double line = new Line2D.Double();
   private final Ellipse2D.Double ellipse = new Ellipse2D.Double();
   private final Rectangle2D.Double rectangle = new Rectangle2D.Double();
 
-  /**
-   * A pen for these graphics, whose state it changes.
-   *
-   * @param smooth whether edges are smoothed; without, large scenes are drawn several times faster
-   */
-  public GraphicsPen(Graphics2D graphics, Theme theme, boolean smooth) {
+  /** A pen for these graphics, whose state it changes. */
+  public GraphicsPen(Graphics2D graphics, Theme theme) {
     this.graphics = graphics;
-    this.smooth = smooth;
     for (Ink ink : Ink.values()) {
       colours.put(ink, new Color(ink.rgb(theme)));
     }
     graphics.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    antialias(smooth);
+    graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     // Whole coordinates are the centres of pixels: level and upright lines come out sharp.
     graphics.translate(0.5, 0.5);
   }
@@ -55,10 +48,9 @@ public final class GraphicsPen implements Pen {
   public void style(Stroke stroke) {
     graphics.setColor(colours.get(stroke.ink()));
     float[] dash = stroke.dashed() ? new float[] {5, 5} : null;
-    // Without smoothing only a line of width 1 is fast; wider ones are filled as polygons.
-    float width = smooth ? (float) stroke.width() : Math.max(1, Math.round(stroke.width() * 0.7));
+    float width = (float) stroke.width();
     graphics.setStroke(
-        new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, dash, 0));
+        new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dash, 0));
   }
 
   @Override
@@ -69,28 +61,14 @@ public final class GraphicsPen implements Pen {
 
   @Override
   public void disc(double x, double y, double radius) {
-    if (radius < TINY && !smooth) {
-      square(x, y, radius);
-    } else {
-      ellipse.setFrame(x - radius, y - radius, 2 * radius, 2 * radius);
-      graphics.fill(ellipse);
-    }
+    ellipse.setFrame(x - radius, y - radius, 2 * radius, 2 * radius);
+    graphics.fill(ellipse);
   }
 
   @Override
   public void rectangle(double x, double y, double width, double height) {
     rectangle.setFrame(x, y, width, height);
     graphics.fill(rectangle);
-  }
-
-  @Override
-  public void square(double x, double y, double halfSide) {
-    if (halfSide < TINY && !smooth) {
-      int side = (int) Math.max(1, Math.round(2 * halfSide));
-      graphics.fillRect((int) Math.round(x) - side / 2, (int) Math.round(y) - side / 2, side, side);
-    } else {
-      Pen.super.square(x, y, halfSide);
-    }
   }
 
   @Override
@@ -113,19 +91,11 @@ public final class GraphicsPen implements Pen {
     Shape outline = layout.getOutline(AffineTransform.getTranslateInstance(left, y));
     Color colour = graphics.getColor();
     java.awt.Stroke stroke = graphics.getStroke();
-    antialias(true);
     graphics.setColor(colours.get(Ink.BACKGROUND));
     graphics.setStroke(new BasicStroke(RIM, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     graphics.draw(outline);
     graphics.setColor(colour);
     graphics.setStroke(stroke);
     layout.draw(graphics, (float) left, (float) y);
-    antialias(smooth);
-  }
-
-  private void antialias(boolean on) {
-    graphics.setRenderingHint(
-        RenderingHints.KEY_ANTIALIASING,
-        on ? RenderingHints.VALUE_ANTIALIAS_ON : RenderingHints.VALUE_ANTIALIAS_OFF);
   }
 }

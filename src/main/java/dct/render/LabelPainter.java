@@ -1,8 +1,10 @@
 package dct.render;
 
+import dct.core.geometry.Points;
 import dct.render.Pen.Anchor;
-import java.util.HashSet;
-import java.util.Set;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.Map;
 
 /**
  * Writes labels beside the vertices, away from their edges, and leaves out those that would cover
@@ -12,60 +14,86 @@ final class LabelPainter {
   private static final double SIZE = 11;
   private static final double CELL_WIDTH = 16;
   private static final double CELL_HEIGHT = 12;
+  private static final double CROWDED =
+      1.5; // dots are smaller where no label has a side of its own
 
   private final Scene scene;
-  private final double[] x;
-  private final double[] y;
+  private final Viewport view;
   private final Box screen;
+  private final double dot;
   private final double distance;
-  private final Set<Long> taken = new HashSet<>();
+  private final Map<Integer, double[]> away = new HashMap<>(); // by vertex: the sum of directions
+  private final int columns;
+  private final BitSet taken = new BitSet(); // cells of the screen, row by row
 
-  LabelPainter(Scene scene, double[] x, double[] y, Box screen, double dot) {
+  LabelPainter(Scene scene, Viewport view, Box screen, double dot) {
     this.scene = scene;
-    this.x = x;
-    this.y = y;
+    this.view = view;
     this.screen = screen;
+    this.dot = dot;
     this.distance = dot + SIZE * 0.75;
+    this.columns = column(screen.maxX()) + 1;
   }
 
   void paint(Pen pen) {
-    double[] awayX = new double[x.length];
-    double[] awayY = new double[x.length];
-    pointAway(awayX, awayY);
+    if (dot > CROWDED) {
+      pointAway();
+    }
     pen.style(Stroke.fill(Ink.LABEL));
-    for (int v = 0; v < x.length; v++) {
-      if (screen.holds(x[v], y[v])) {
-        double length = Math.hypot(awayX[v], awayY[v]);
-        boolean anywhere = length < 0.2;
-        double dx = anywhere ? 0.7 : awayX[v] / length;
-        double dy = anywhere ? -0.7 : awayY[v] / length;
-        label(pen, v, dx, dy);
+    Points points = scene.points();
+    for (int v = 0; v < points.size(); v++) {
+      double x = view.screenX(points.x(v));
+      double y = view.screenY(points.y(v));
+      if (screen.holds(x, y)) {
+        label(pen, v, x, y);
       }
     }
   }
 
-  /** For each vertex, the reverse of the mean direction of its edges. */
-  private void pointAway(double[] awayX, double[] awayY) {
-    for (EdgeLayer layer : scene.layers()) {
-      for (int k = 0; k < layer.size(); k++) {
-        int a = layer.from(k);
-        int b = layer.to(k);
-        double length = Math.max(Math.hypot(x[a] - x[b], y[a] - y[b]), 1e-9);
-        double dx = (x[a] - x[b]) / length;
-        double dy = (y[a] - y[b]) / length;
-        awayX[a] += dx;
-        awayY[a] += dy;
-        awayX[b] -= dx;
-        awayY[b] -= dy;
+  /** For each vertex in sight, the reverse of the mean direction of its edges. */
+  private void pointAway() {
+    SceneIndex index = scene.index();
+    for (IndexedEdges edges : index.layers()) {
+      Blocks blocks = edges.blocks();
+      for (int block = 0; block < blocks.count(); block++) {
+        if (blocks.mayMeet(block, view, screen)) {
+          for (int k = blocks.first(block); k < blocks.end(block); k++) {
+            pointAway(index, edges.from(k), edges.to(k));
+          }
+        }
       }
     }
   }
 
-  private void label(Pen pen, int v, double dx, double dy) {
-    String text = scene.label(v);
+  private void pointAway(SceneIndex index, int a, int b) {
+    double dx = view.screenX(index.x(a)) - view.screenX(index.x(b));
+    double dy = view.screenY(index.y(a)) - view.screenY(index.y(b));
+    double length = Math.max(Math.hypot(dx, dy), 1e-9);
+    add(index.vertex(a), dx / length, dy / length);
+    add(index.vertex(b), -dx / length, -dy / length);
+  }
+
+  private void add(int v, double dx, double dy) {
+    double[] sum = away.computeIfAbsent(v, key -> new double[2]);
+    sum[0] += dx;
+    sum[1] += dy;
+  }
+
+  private void label(Pen pen, int v, double x, double y) {
+    double[] sum = away.getOrDefault(v, new double[2]);
+    double length = Math.hypot(sum[0], sum[1]);
+    boolean anywhere = length < 0.2;
+    double dx = anywhere ? 0.7 : sum[0] / length;
+    double dy = anywhere ? -0.7 : sum[1] / length;
+    double atY = y + dy * distance;
+    if (!taken.get(cell(column(x + dx * distance), atY))) {
+      label(pen, scene.label(v), x, dx, atY);
+    }
+  }
+
+  private void label(Pen pen, String text, double x, double dx, double atY) {
     double halfWidth = text.length() * SIZE * 0.3;
-    double atX = x[v] + dx * (distance + halfWidth / 2);
-    double atY = y[v] + dy * distance;
+    double atX = x + dx * (distance + halfWidth / 2);
     if (!text.isEmpty() && take(atX, atY, halfWidth)) {
       pen.text(atX, atY + SIZE * 0.36, Anchor.MIDDLE, SIZE, text);
     }
@@ -73,17 +101,24 @@ final class LabelPainter {
 
   /** Claims the cells under a label, unless one of them is taken. */
   private boolean take(double atX, double atY, double halfWidth) {
-    Set<Long> cells = new HashSet<>();
-    long row = Math.round(atY / CELL_HEIGHT);
-    long last = (long) Math.floor((atX + halfWidth) / CELL_WIDTH);
-    for (long column = (long) Math.floor((atX - halfWidth) / CELL_WIDTH);
-        column <= last;
-        column++) {
-      cells.add((row << 32) ^ (column & 0xFFFF_FFFFL));
-    }
-    if (cells.stream().anyMatch(taken::contains)) {
+    int first = cell(column(atX - halfWidth), atY);
+    int last = cell(column(atX + halfWidth), atY);
+    int next = taken.nextSetBit(first);
+    if (next >= 0 && next <= last) {
       return false;
     }
-    return taken.addAll(cells);
+    taken.set(first, last + 1);
+    return true;
+  }
+
+  private int cell(int column, double atY) {
+    int row = (int) Math.max(0, Math.round((atY - screen.minY()) / CELL_HEIGHT) + 1);
+    return row * columns + column;
+  }
+
+  /** The column at this x; what lies outside the screen belongs to the first or the last. */
+  private int column(double atX) {
+    double inside = Math.max(screen.minX(), Math.min(screen.maxX(), atX));
+    return (int) Math.floor((inside - screen.minX()) / CELL_WIDTH);
   }
 }

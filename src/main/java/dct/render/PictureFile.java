@@ -84,10 +84,9 @@ public final class PictureFile {
   /** The scene as an image, smoothed. */
   static BufferedImage image(Scene scene, Viewport view, int width, int height) {
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    SceneRaster.draw(scene, view, THEME, 1, image);
     Graphics2D graphics = image.createGraphics();
-    GraphicsPen pen = new GraphicsPen(graphics, THEME, true);
-    pen.ground(width, height);
-    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
+    ScenePainter.paintCounts(scene, new Box(0, 0, width, height), new GraphicsPen(graphics, THEME));
     graphics.dispose();
     return image;
   }

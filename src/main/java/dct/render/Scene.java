@@ -42,6 +42,8 @@ public final class Scene {
   private final int[] degrees; // by vertex; null while nothing is triangulated
   private final List<String> counts;
   private final List<Defect> defects;
+  private final Optional<Box> bounds;
+  private final Lazy<SceneIndex> index; // takes a while; what is never drawn needs none
   private final int[] unmet; // the vertices that do not have the parity wished
   private final Labels labels;
   private final ParityGoal wishes; // null if every vertex is wished even
@@ -58,18 +60,22 @@ public final class Scene {
     this.degrees = degrees;
     this.counts = List.copyOf(counts);
     this.defects = List.copyOf(defects);
+    this.bounds = points.size() == 0 ? Optional.empty() : Optional.of(Box.of(points));
+    this.index = new Lazy<>(() -> SceneIndex.of(points, degrees, this.layers));
     this.unmet = new int[0];
     this.labels = Labels.NONE;
     this.wishes = null;
   }
 
   /** The same with other marks at the vertices. */
-  private Scene(Scene scene, int[] unmet, Labels labels, ParityGoal wishes) {
+  private Scene(Scene scene, List<String> counts, int[] unmet, Labels labels, ParityGoal wishes) {
     this.points = scene.points;
     this.layers = scene.layers;
     this.degrees = scene.degrees;
-    this.counts = scene.counts;
+    this.counts = List.copyOf(counts);
     this.defects = scene.defects;
+    this.bounds = scene.bounds;
+    this.index = scene.index;
     this.unmet = unmet;
     this.labels = labels;
     this.wishes = wishes;
@@ -96,7 +102,7 @@ public final class Scene {
   public static Scene of(Optimum best) {
     Triangulation triangulation = best.triangulation();
     Scene scene = of(triangulation, verdict(best));
-    Scene ringed = new Scene(scene, unmet(best), Labels.NONE, null);
+    Scene ringed = new Scene(scene, scene.counts, unmet(best), Labels.NONE, null);
     return isOneForAll(best.goal()) ? ringed : ringed.withWishes(best.goal());
   }
 
@@ -154,7 +160,7 @@ public final class Scene {
 
   /** This scene with other labels. */
   public Scene withLabels(Labels wished) {
-    return new Scene(this, unmet, wished, wishes);
+    return new Scene(this, counts, unmet, wished, wishes);
   }
 
   /**
@@ -164,7 +170,20 @@ public final class Scene {
    */
   public Scene withWishes(ParityGoal goal) {
     boolean any = goal.size() == points.size() && !goal.isAll(Wish.EVEN);
-    return new Scene(this, unmet, labels, any ? goal : null);
+    return new Scene(this, counts, unmet, labels, any ? goal : null);
+  }
+
+  /** This scene with plain counts of its vertices and nothing said of how good they are. */
+  public Scene withoutVerdict() {
+    return new Scene(this, degrees == null ? counts : plainCounts(), new int[0], labels, wishes);
+  }
+
+  private List<String> plainCounts() {
+    int odd = 0;
+    for (int degree : degrees) {
+      odd += degree & 1;
+    }
+    return List.of(words(new DegreeCount(degrees.length - odd, odd)));
   }
 
   /** The vertices. */
@@ -174,7 +193,7 @@ public final class Scene {
 
   /** The box round all vertices, or nothing if there are none. */
   public Optional<Box> bounds() {
-    return points.size() == 0 ? Optional.empty() : Optional.of(Box.of(points));
+    return bounds;
   }
 
   /** The lines in the upper right corner: the counts of even and odd vertices. */
@@ -200,9 +219,9 @@ public final class Scene {
     return layers.stream().mapToInt(EdgeLayer::size).sum();
   }
 
-  /** The edges, what is drawn first coming first. */
-  List<EdgeLayer> layers() {
-    return layers;
+  /** The vertices and edges by place. */
+  SceneIndex index() {
+    return index.get();
   }
 
   /** Whether the degrees are known. */

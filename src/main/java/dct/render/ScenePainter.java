@@ -1,14 +1,14 @@
 package dct.render;
 
 import dct.core.geometry.Defect;
-import dct.core.geometry.Points;
 import dct.render.Pen.Anchor;
 
 /**
- * Draws a scene with a pen: the one painter for screen, PNG and SVG.
+ * Draws a scene with a pen: the one painter for screen and files.
  *
- * <p>Linear in the size of the scene; what lies outside the screen is left out, and so is an edge
- * that begins and ends in one pixel. Dots and lines get smaller where the vertices crowd.
+ * <p>Linear in what is to be seen of the scene: what lies outside the screen is left out by the
+ * block, and so are edges that the dots at their ends cover. Dots and lines get smaller where the
+ * vertices crowd.
  */
 public final class ScenePainter {
   private static final double LARGEST_DOT = 4.5;
@@ -18,27 +18,24 @@ public final class ScenePainter {
   private static final double FIT_GAP = 16; // room for rings and labels below the counts
   private static final double DEFECT_RING = 10;
   private static final double UNMET_GAP = 4;
+  private static final double REACH = 14; // how far a line, dot or ring reaches from its place
+  private static final double HIDDEN = 2; // dots at both ends cover edges of so many radii
   private static final double UNMET_WIDTH = 2;
 
   private final Scene scene;
+  private final SceneIndex index;
+  private final Viewport view;
   private final Box clip;
   private final Pen pen;
-  private final double[] x; // on the screen, by vertex
-  private final double[] y;
   private final double dot;
 
   private ScenePainter(Scene scene, Viewport view, Box screen, Pen pen) {
     this.scene = scene;
-    this.clip = screen;
+    this.index = scene.index();
+    this.view = view;
+    this.clip = screen.grown(REACH);
     this.pen = pen;
-    Points points = scene.points();
-    x = new double[points.size()];
-    y = new double[points.size()];
-    for (int v = 0; v < x.length; v++) {
-      x[v] = view.screenX(points.x(v));
-      y[v] = view.screenY(points.y(v));
-    }
-    dot = dotRadius(scene, view);
+    this.dot = dotRadius(scene, view);
   }
 
   /**
@@ -47,15 +44,33 @@ public final class ScenePainter {
    * @param screen the part of the screen to draw on, in pixels
    */
   public static void paint(Scene scene, Viewport view, Box screen, Pen pen) {
-    ScenePainter painter = new ScenePainter(scene, view, screen, pen);
+    paintShapes(scene, view, screen, pen);
+    paintLabels(scene, view, screen, pen);
+    paintCounts(scene, screen, pen);
+  }
+
+  /**
+   * Draws the edges, the vertices and their rings. Parts of a screen that are drawn one by one make
+   * the same picture as the whole.
+   */
+  static void paintShapes(Scene scene, Viewport view, Box part, Pen pen) {
+    ScenePainter painter = new ScenePainter(scene, view, part, pen);
     painter.edges();
     painter.vertices();
     painter.unmet();
-    painter.defects(view);
+    painter.defects();
+  }
+
+  /** Writes what there is to write beside the vertices. */
+  static void paintLabels(Scene scene, Viewport view, Box screen, Pen pen) {
     if (scene.hasLabels()) {
-      new LabelPainter(scene, painter.x, painter.y, screen, painter.dot).paint(pen);
+      new LabelPainter(scene, view, screen, dotRadius(scene, view)).paint(pen);
     }
-    painter.counts();
+  }
+
+  /** Writes the counts into the upper right corner of the screen. */
+  public static void paintCounts(Scene scene, Box screen, Pen pen) {
+    Caption.paint(pen, screen.maxX() - MARGIN, screen.minY() + MARGIN, Anchor.END, scene.counts());
   }
 
   /**
@@ -89,24 +104,39 @@ public final class ScenePainter {
 
   private void edges() {
     double thinner = Math.min(1, Math.max(0.4, dot / 2));
-    for (EdgeLayer layer : scene.layers()) {
-      if (layer.size() > 0) {
-        Stroke stroke = layer.stroke();
+    for (IndexedEdges edges : index.layers()) {
+      if (edges.blocks().count() > 0) {
+        Stroke stroke = edges.stroke();
         pen.style(new Stroke(stroke.ink(), stroke.width() * thinner, stroke.dashed()));
+        edges(edges);
       }
-      for (int k = 0; k < layer.size(); k++) {
-        edge(layer.from(k), layer.to(k));
+    }
+  }
+
+  private void edges(IndexedEdges edges) {
+    Blocks blocks = edges.blocks();
+    for (int block = 0; block < blocks.count(); block++) {
+      boolean seen = edges.longest(block) * view.scale() > HIDDEN * dot;
+      if (seen && blocks.mayMeet(block, view, clip)) {
+        for (int k = blocks.first(block); k < blocks.end(block); k++) {
+          edge(edges.from(k), edges.to(k));
+        }
       }
     }
   }
 
   private void edge(int a, int b) {
-    boolean dotOnly = Math.abs(x[a] - x[b]) < 0.5 && Math.abs(y[a] - y[b]) < 0.5;
-    if (!dotOnly && clip.mayMeet(x[a], y[a], x[b], y[b])) {
-      pen.line(x[a], y[a], x[b], y[b]);
+    double ax = view.screenX(index.x(a));
+    double ay = view.screenY(index.y(a));
+    double bx = view.screenX(index.x(b));
+    double by = view.screenY(index.y(b));
+    double square = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
+    if (square > HIDDEN * dot * HIDDEN * dot && clip.mayMeet(ax, ay, bx, by)) {
+      pen.line(ax, ay, bx, by);
     }
   }
 
+  /** Odd vertices come last: the fewer they get, the more they are what is looked for. */
   private void vertices() {
     for (Ink ink : new Ink[] {Ink.VERTEX, Ink.EVEN, Ink.ODD}) {
       if (scene.hasDegrees() == (ink != Ink.VERTEX)) {
@@ -116,16 +146,26 @@ public final class ScenePainter {
     }
   }
 
-  /** Even vertices are discs and odd ones squares, so that they differ without colour too. */
   private void vertices(Ink ink) {
-    Box near = clip.grown(dot);
-    for (int v = 0; v < x.length; v++) {
-      if (scene.ink(v) == ink && near.holds(x[v], y[v])) {
-        if (ink == Ink.ODD) {
-          pen.square(x[v], y[v], dot * 0.9);
-        } else {
-          pen.disc(x[v], y[v], dot);
+    Blocks blocks = index.blocks();
+    for (int block = 0; block < blocks.count(); block++) {
+      if (blocks.mayMeet(block, view, clip)) {
+        for (int place = blocks.first(block); place < blocks.end(block); place++) {
+          if (index.ink(place) == ink) {
+            vertex(ink, view.screenX(index.x(place)), view.screenY(index.y(place)));
+          }
         }
+      }
+    }
+  }
+
+  /** Even vertices are discs and odd ones squares, so that they differ without colour too. */
+  private void vertex(Ink ink, double x, double y) {
+    if (clip.holds(x, y)) {
+      if (ink == Ink.ODD) {
+        pen.square(x, y, dot * 0.9);
+      } else {
+        pen.disc(x, y, dot);
       }
     }
   }
@@ -134,25 +174,23 @@ public final class ScenePainter {
     if (scene.unmet().length > 0) {
       pen.style(Stroke.solid(Ink.UNMET, UNMET_WIDTH));
     }
-    double radius = dot + UNMET_GAP;
-    Box near = clip.grown(radius + UNMET_WIDTH);
     for (int v : scene.unmet()) {
-      if (near.holds(x[v], y[v])) {
-        pen.ring(x[v], y[v], radius);
-      }
+      ring(view.screenX(scene.points().x(v)), view.screenY(scene.points().y(v)), dot + UNMET_GAP);
     }
   }
 
-  private void defects(Viewport view) {
+  private void defects() {
     for (Defect defect : scene.defects()) {
       if (defect.kind() != Defect.Kind.TOO_FEW && defect.kind() != Defect.Kind.COLLINEAR) {
         pen.style(Stroke.solid(Ink.DEFECT, 2));
-        pen.ring(view.screenX(defect.x()), view.screenY(defect.y()), DEFECT_RING);
+        ring(view.screenX(defect.x()), view.screenY(defect.y()), DEFECT_RING);
       }
     }
   }
 
-  private void counts() {
-    Caption.paint(pen, clip.maxX() - MARGIN, clip.minY() + MARGIN, Anchor.END, scene.counts());
+  private void ring(double x, double y, double radius) {
+    if (clip.holds(x, y)) {
+      pen.ring(x, y, radius);
+    }
   }
 }

@@ -40,7 +40,7 @@ public final class SvgPen implements Pen {
     out.append("<g class=\"").append(stroke.ink().name().toLowerCase(Locale.ROOT));
     out.append("\" stroke=\"").append(hex(stroke.ink()));
     out.append("\" fill=\"").append(hex(stroke.ink()));
-    out.append("\" stroke-linecap=\"round");
+    out.append('"');
     attribute("stroke-width", stroke.width());
     out.append(stroke.dashed() ? " stroke-dasharray=\"5 5\">\n" : ">\n");
   }

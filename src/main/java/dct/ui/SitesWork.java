@@ -7,7 +7,7 @@ import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
-import dct.ui.document.Document;
+import dct.ui.document.Analysis;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import java.awt.Component;
@@ -39,13 +39,17 @@ final class SitesWork {
   /** Runs Scan-Flip on the triangulation shown, in the canvas. */
   void flip() {
     Editor editor = workbench.editor(Domain.SITES);
-    Triangulation triangulation = editor.shown().triangulation().orElse(null);
+    Analysis shown = editor.shown();
+    Triangulation triangulation = shown.triangulation().orElse(null);
     if (triangulation == null) {
       workbench.say("There is no triangulation to flip yet; draw three sites or more");
     } else {
       workbench
           .jobs()
-          .submit("Perform Flip", progress -> ScanFlip.run(triangulation), editor::showFlips);
+          .submit(
+              "Perform Flip",
+              progress -> shown.flipped(ScanFlip.run(triangulation)),
+              editor::showInstead);
     }
   }
 
@@ -58,24 +62,23 @@ final class SitesWork {
    */
   void optimize(String what, IntFunction<ParityGoal> goal) {
     Editor editor = workbench.editor(Domain.SITES);
-    Document searched = editor.shown().document();
-    Triangulation before = editor.shown().triangulation().orElse(null);
+    Analysis shown = editor.shown();
+    Triangulation before = shown.triangulation().orElse(null);
     if (before == null) {
       workbench.say("There is no triangulation to improve yet; draw three sites or more");
-      return;
-    }
-    if (!searched.equals(editor.document())) {
+    } else if (!shown.document().equals(editor.document())) {
       workbench.say("The sites are still being triangulated; try again when that is done");
-      return;
+    } else {
+      ParityGoal wished = goal.apply(before.vertexCount());
+      workbench
+          .jobs()
+          .submitSearch(
+              what,
+              progress ->
+                  shown.optimized(
+                      BestTriangulation.of(before, wished, SearchLimits.DEFAULT, progress)),
+              editor::showInstead);
     }
-    workbench
-        .jobs()
-        .submitSearch(
-            what,
-            progress ->
-                BestTriangulation.of(
-                    before, goal.apply(before.vertexCount()), SearchLimits.DEFAULT, progress),
-            best -> editor.showOptimum(searched, best));
   }
 
   /** Asks for a number and puts so many random sites in place of those there are. */

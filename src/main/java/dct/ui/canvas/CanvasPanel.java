@@ -33,9 +33,10 @@ public final class CanvasPanel extends JPanel {
   /** The height at first. */
   public static final int HEIGHT_AT_FIRST = 700;
 
-  private final transient SceneImage image = new SceneImage();
+  private final transient SceneImage image = new SceneImage(this::repaint);
   private final transient List<Runnable> viewListeners = new ArrayList<>();
-  private transient Scene scene = Scene.sites(Points.ofPairs());
+  private transient Scene given = Scene.sites(Points.ofPairs());
+  private transient Scene scene = given; // with the labels
   private transient Viewport viewport = Viewport.IDENTITY;
   private transient Consumer<Pen> overlay = pen -> {};
   private Labels labels = Labels.NONE;
@@ -54,7 +55,10 @@ public final class CanvasPanel extends JPanel {
 
   /** Shows another scene, in the same viewport. */
   public void setScene(Scene scene) {
-    this.scene = scene.withLabels(labels);
+    if (scene != given) { // an equal one need not be drawn anew
+      given = scene;
+      this.scene = scene.withLabels(labels);
+    }
     repaint();
   }
 
@@ -66,7 +70,8 @@ public final class CanvasPanel extends JPanel {
   /** Chooses what is written beside the vertices. */
   public void setLabels(Labels labels) {
     this.labels = labels;
-    setScene(scene);
+    scene = given.withLabels(labels);
+    repaint();
   }
 
   /** What is written beside the vertices. */
@@ -155,11 +160,16 @@ public final class CanvasPanel extends JPanel {
   @Override
   protected void paintComponent(Graphics g) {
     Graphics2D graphics = (Graphics2D) g.create();
-    image.paint(graphics, scene, viewport, theme(), getSize());
-    GraphicsPen pen = new GraphicsPen(graphics, theme(), true);
+    image.paint(graphics, new View(scene, viewport, theme(), getSize(), scaleOf(graphics)));
+    GraphicsPen pen = new GraphicsPen(graphics, theme());
+    ScenePainter.paintCounts(scene, new Box(0, 0, getWidth(), getHeight()), pen);
     overlay.accept(pen);
     paintWords(pen);
     graphics.dispose();
+  }
+
+  private static double scaleOf(Graphics2D graphics) {
+    return graphics.getTransform().getScaleX();
   }
 
   private void paintWords(Pen pen) {

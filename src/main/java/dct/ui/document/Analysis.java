@@ -25,6 +25,7 @@ public final class Analysis {
   private final Optional<Triangulation> triangulation;
   private final List<Defect> defects; // the first is the one to name
   private final Scene scene;
+  private final boolean growing; // of a polygon: the last edge is still provisional
   private final boolean pending;
 
   private Analysis(
@@ -32,11 +33,13 @@ public final class Analysis {
       Optional<Triangulation> triangulation,
       List<Defect> defects,
       Scene scene,
+      boolean growing,
       boolean pending) {
     this.document = document;
     this.triangulation = triangulation;
     this.defects = defects;
     this.scene = scene.withWishes(document.wishes());
+    this.growing = growing;
     this.pending = pending;
   }
 
@@ -48,25 +51,26 @@ public final class Analysis {
    */
   public static Analysis of(Document document, boolean growing, Progress progress) {
     return document.domain() == Domain.POLYGON
-        ? polygon(document, growing)
+        ? polygon(document, defects(document.points()), growing, false)
         : sites(document, progress);
   }
 
   /** The bare points of a document that is still to be analysed. */
   static Analysis pending(Document document, boolean growing) {
-    Points points = document.points();
-    Scene scene =
-        document.domain() == Domain.POLYGON
-            ? Scene.polygon(points, growing, List.of())
-            : Scene.sites(points);
-    return new Analysis(document, Optional.empty(), List.of(), scene, true);
+    return document.domain() == Domain.POLYGON
+        ? polygon(document, List.of(), growing, true)
+        : untriangulated(document, true);
   }
 
-  private static Analysis polygon(Document document, boolean growing) {
-    Points points = document.points();
-    List<Defect> defects = defects(points);
-    return new Analysis(
-        document, Optional.empty(), defects, Scene.polygon(points, growing, defects), false);
+  private static Analysis polygon(
+      Document document, List<Defect> defects, boolean growing, boolean pending) {
+    Scene scene = Scene.polygon(document.points(), growing, defects);
+    return new Analysis(document, Optional.empty(), defects, scene, growing, pending);
+  }
+
+  private static Analysis untriangulated(Document document, boolean pending) {
+    Scene scene = Scene.sites(document.points());
+    return new Analysis(document, Optional.empty(), List.of(), scene, false, pending);
   }
 
   private static List<Defect> defects(Points points) {
@@ -82,15 +86,14 @@ public final class Analysis {
 
   private static Analysis sites(Document document, Progress progress) {
     if (document.size() < 3) {
-      Scene scene = Scene.sites(document.points());
-      return new Analysis(document, Optional.empty(), List.of(), scene, false);
+      return untriangulated(document, false);
     }
     Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points()), progress);
     return sites(document, delaunay, Scene.of(delaunay));
   }
 
   private static Analysis sites(Document document, Triangulation triangulation, Scene scene) {
-    return new Analysis(document, Optional.of(triangulation), List.of(), scene, false);
+    return new Analysis(document, Optional.of(triangulation), List.of(), scene, false, false);
   }
 
   /** This analysis with the triangulation of the sites after flips. */
@@ -110,21 +113,14 @@ public final class Analysis {
 
   /** This analysis with other wishes; what was said of the old ones is no longer shown. */
   Analysis wishing(ParityGoal wishes) {
-    Scene plain = triangulation.map(Scene::of).orElse(scene);
-    return new Analysis(document.with(wishes), triangulation, defects, plain, pending);
+    return new Analysis(
+        document.with(wishes), triangulation, defects, scene.withoutVerdict(), growing, pending);
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
   public Analysis growing(boolean growing) {
-    if (document.domain() != Domain.POLYGON) {
-      return this;
-    }
-    return new Analysis(
-        document,
-        triangulation,
-        defects,
-        Scene.polygon(document.points(), growing, defects),
-        pending);
+    boolean same = document.domain() != Domain.POLYGON || growing == this.growing;
+    return same ? this : polygon(document, defects, growing, pending);
   }
 
   /** What was analysed. */

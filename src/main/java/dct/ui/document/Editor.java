@@ -1,8 +1,6 @@
 package dct.ui.document;
 
 import dct.core.Progress;
-import dct.core.degree.FlipResult;
-import dct.core.degree.Optimum;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.ui.job.Jobs;
@@ -20,7 +18,7 @@ public final class Editor {
    * Up to here a document is analysed at once, within a frame of the screen; beyond, in the
    * background, so that the window never waits.
    */
-  static final int AT_ONCE = 5_000;
+  static final int AT_ONCE = 2_000;
 
   private final Jobs jobs;
   private final Domain domain;
@@ -31,7 +29,8 @@ public final class Editor {
   private Document provisional; // while a drag lasts, else null
   private Analysis shown;
   private boolean growing;
-  private Runnable cancelAnalysis = () -> {};
+  private Optional<Jobs.Handle> analysis = Optional.empty(); // queued last
+  private int changes; // of the document; analyses from before the last one are not shown
 
   /** An editor of an empty document. */
   public Editor(Domain domain, Jobs jobs) {
@@ -130,10 +129,14 @@ public final class Editor {
     changed();
   }
 
-  /** Shows the document with its vertices at these places. */
+  /**
+   * Shows the document with its vertices at these places. Of many that follow each other quickly
+   * the newest is analysed whenever the one before is done, so that the picture keeps moving.
+   */
   public void preview(Points points) {
     provisional = document().with(points);
-    analyse();
+    analysis.ifPresent(Jobs.Handle::withdraw);
+    analyseVisible();
   }
 
   /** Goes back to the document's points. */
@@ -151,24 +154,20 @@ public final class Editor {
     changed();
   }
 
-  /** Shows the sites' triangulation after flips, unless the sites have changed since. */
-  public void showFlips(FlipResult result) {
-    if (shown.triangulation().filter(t -> t == result.before()).isPresent()) {
-      shown = shown.flipped(result);
-      changed();
-    }
-  }
-
-  /** Shows the best triangulation found, unless the sites have changed since the search began. */
-  public void showOptimum(Document searched, Optimum best) {
-    if (shown.triangulation().isPresent() && shown.document().equals(searched)) {
-      shown = shown.optimized(best);
-      changed();
+  /** Shows what else came of the document that is shown, unless it has changed since. */
+  public void showInstead(Analysis other) {
+    if (shown.document().equals(other.document())) {
+      show(other);
     }
   }
 
   private void analyse() {
-    cancelAnalysis.run();
+    changes++;
+    analysis.ifPresent(Jobs.Handle::cancel);
+    analyseVisible();
+  }
+
+  private void analyseVisible() {
     Document document = visible();
     if (shown.isOf(document.points())) {
       show(shown.wishing(document.wishes()));
@@ -176,8 +175,14 @@ public final class Editor {
       show(Analysis.of(document, growing, Progress.NONE));
     } else {
       String what = domain == Domain.POLYGON ? "Checking the polygon" : "Triangulating the sites";
-      cancelAnalysis =
-          jobs.submit(what, progress -> Analysis.of(document, growing, progress), this::show);
+      int change = changes;
+      boolean open = growing;
+      analysis =
+          Optional.of(
+              jobs.update(
+                  what,
+                  progress -> Analysis.of(document, open, progress),
+                  result -> showUnlessChanged(result, change)));
       // After a small change the picture of the old state is the better one to look at meanwhile.
       if (Math.abs(shown.document().size() - document.size()) > 1) {
         shown = Analysis.pending(document, growing);
@@ -186,11 +191,14 @@ public final class Editor {
     }
   }
 
-  private void show(Analysis analysis) {
-    cancelAnalysis = () -> {};
-    if (analysis.document().equals(visible())) {
-      shown = analysis.growing(growing);
+  private void showUnlessChanged(Analysis result, int change) {
+    if (change == changes) {
+      show(result);
     }
+  }
+
+  private void show(Analysis result) {
+    shown = result.growing(growing);
     changed();
   }
 

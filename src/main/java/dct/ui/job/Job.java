@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** One piece of work in the queue of {@link Jobs}. */
-final class Job<T> implements Runnable, Progress {
+final class Job<T> implements Runnable, Progress, Jobs.Handle {
   private static final long REPORT_NANOS = 40_000_000;
 
   private final Jobs jobs;
@@ -16,6 +16,7 @@ final class Job<T> implements Runnable, Progress {
   private final Consumer<T> done;
   private final boolean isSearch; // a cancel ends the work, and its result still counts
   private final AtomicBoolean cancelled = new AtomicBoolean();
+  private final AtomicBoolean begun = new AtomicBoolean();
   private long lastReport; // used by the working thread only
 
   Job(Jobs jobs, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
@@ -30,8 +31,16 @@ final class Job<T> implements Runnable, Progress {
     return what;
   }
 
-  void cancel() {
+  @Override
+  public void cancel() {
     cancelled.set(true);
+  }
+
+  @Override
+  public void withdraw() {
+    if (!begun.get()) {
+      cancel();
+    }
   }
 
   @Override
@@ -39,6 +48,7 @@ final class Job<T> implements Runnable, Progress {
     Jobs.onEventThread(() -> jobs.running(this, -1));
     Runnable then;
     try {
+      begun.set(true);
       checkCancelled();
       T result = work.apply(this);
       then = () -> finish(result);

@@ -11,7 +11,8 @@ import javax.swing.SwingUtilities;
 
 /**
  * Does long work in the background, one job after the other, and hands the results to the event
- * thread. Its methods are called on the event thread.
+ * thread. Work that brings the picture up to date with the document does not wait for the other
+ * jobs: it has a thread of its own. The methods are called on the event thread.
  */
 public final class Jobs {
 
@@ -27,19 +28,28 @@ public final class Jobs {
     void failed(String what, Throwable cause);
   }
 
-  private final ExecutorService executor;
+  /** A job that was queued. */
+  public interface Handle {
+    /** Cancels the job; does nothing once it has ended. */
+    void cancel();
+
+    /** Cancels the job if it has not begun yet. */
+    void withdraw();
+  }
+
+  private final ExecutorService work = thread("jobs");
+  private final ExecutorService updates = thread("updates");
   private final List<Job<?>> waiting = new ArrayList<>();
   private Listener listener;
 
-  /** A queue of its own thread, which does not keep the program alive. */
-  public Jobs() {
-    executor =
-        Executors.newSingleThreadExecutor(
-            work -> {
-              Thread thread = new Thread(work, "jobs");
-              thread.setDaemon(true);
-              return thread;
-            });
+  /** A thread that does not keep the program alive. */
+  private static ExecutorService thread(String name) {
+    return Executors.newSingleThreadExecutor(
+        action -> {
+          Thread thread = new Thread(action, name);
+          thread.setDaemon(true);
+          return thread;
+        });
   }
 
   /** Says who is told of progress and failures. */
@@ -53,24 +63,28 @@ public final class Jobs {
    * @param what what is being done, for a person to read
    * @param work computes the result in the background
    * @param done gets the result on the event thread, unless the job is cancelled or fails
-   * @return cancels the job; does nothing once it has ended
    */
-  public <T> Runnable submit(String what, Function<Progress, T> work, Consumer<T> done) {
-    return queue(new Job<>(this, what, work, done, false));
+  public <T> Handle submit(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(this.work, new Job<>(this, what, work, done, false));
+  }
+
+  /** Queues a job that brings the picture up to date with the document. */
+  public <T> Handle update(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(updates, new Job<>(this, what, work, done, false));
   }
 
   /**
    * Queues a job whose work ends early when it is cancelled and returns the best that it has then:
    * {@code done} gets that too.
    */
-  public <T> Runnable submitSearch(String what, Function<Progress, T> work, Consumer<T> done) {
-    return queue(new Job<>(this, what, work, done, true));
+  public <T> Handle submitSearch(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(this.work, new Job<>(this, what, work, done, true));
   }
 
-  private Runnable queue(Job<?> job) {
+  private Handle queue(ExecutorService executor, Job<?> job) {
     waiting.add(job);
     executor.execute(job);
-    return job::cancel;
+    return job;
   }
 
   /** Cancels the job that is running, or else the next one. */
@@ -88,11 +102,13 @@ public final class Jobs {
   /** Cancels everything; nothing can be submitted after. */
   public void shutDown() {
     List.copyOf(waiting).forEach(Job::cancel);
-    executor.shutdown();
+    work.shutdown();
+    updates.shutdown();
   }
 
+  /** Of several jobs that are running, the one queued first is the one to tell of. */
   void running(Job<?> job, double fraction) {
-    if (waiting.contains(job) && listener != null) {
+    if (!waiting.isEmpty() && waiting.get(0) == job && listener != null) {
       listener.running(job.what(), fraction);
     }
   }

@@ -3,7 +3,6 @@ package dct.ui.document;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
-import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.ScanFlip;
@@ -48,47 +47,53 @@ class EditorTest {
   @Test
   void flipsOfAnOlderTriangulationAreNotShown() {
     load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    var result = ScanFlip.run(sites.shown().triangulation().orElseThrow());
+    Analysis older = flipped();
     sites.perform(Edit.draw(sites.document(), 20, 20));
-    sites.showFlips(result);
+    sites.showInstead(older);
     assertThat(sites.shown().scene().counts()).hasSize(1);
-    var fresh = ScanFlip.run(sites.shown().triangulation().orElseThrow());
-    sites.showFlips(fresh);
+    Analysis fresh = flipped();
+    sites.showInstead(fresh);
     assertThat(sites.shown().scene().counts()).hasSize(2);
-    assertThat(sites.shown().triangulation()).contains(fresh.after());
+    assertThat(sites.shown().triangulation()).isEqualTo(fresh.triangulation());
+  }
+
+  private Analysis flipped() {
+    Analysis shown = sites.shown();
+    return shown.flipped(ScanFlip.run(shown.triangulation().orElseThrow()));
   }
 
   @Test
   void aNewWishLeavesTheTriangulationThatIsShown() {
     load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    var flips = ScanFlip.run(sites.shown().triangulation().orElseThrow());
-    sites.showFlips(flips);
+    Analysis flips = flipped();
+    sites.showInstead(flips);
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
     assertThat(sites.shown().document()).isEqualTo(sites.document());
-    assertThat(sites.shown().triangulation()).contains(flips.after());
+    assertThat(sites.shown().triangulation()).isEqualTo(flips.triangulation());
     assertThat(sites.shown().scene().counts()).hasSize(1);
     sites.undo();
     assertThat(sites.shown().document().wishes().wish(3)).isEqualTo(Wish.EVEN);
-    assertThat(sites.shown().triangulation()).contains(flips.after());
+    assertThat(sites.shown().triangulation()).isEqualTo(flips.triangulation());
   }
 
   @Test
   void anOptimumForOtherWishesOrSitesIsNotShown() {
     load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    Document searched = sites.shown().document();
-    Optimum best =
-        BestTriangulation.of(
-            sites.shown().triangulation().orElseThrow(),
-            ParityGoal.allEven(7),
-            SearchLimits.DEFAULT,
-            Progress.NONE);
+    Analysis searched = sites.shown();
+    Analysis best =
+        searched.optimized(
+            BestTriangulation.of(
+                searched.triangulation().orElseThrow(),
+                ParityGoal.allEven(7),
+                SearchLimits.DEFAULT,
+                Progress.NONE));
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
-    sites.showOptimum(searched, best);
+    sites.showInstead(best);
     assertThat(sites.shown().scene().counts().get(0)).doesNotContain("—");
     sites.undo();
-    sites.showOptimum(searched, best);
+    sites.showInstead(best);
     assertThat(sites.shown().scene().counts().get(0)).contains("—");
-    assertThat(sites.shown().triangulation()).contains(best.triangulation());
+    assertThat(sites.shown().triangulation()).isEqualTo(best.triangulation());
   }
 
   @Test
@@ -123,6 +128,41 @@ class EditorTest {
       SwingUtilities.invokeAndWait(() -> {});
     }
     assertThat(sites.shown().triangulation()).isPresent();
+  }
+
+  @Test
+  void theNewestOfManyPreviewsIsShownAndNoneAfterAnEdit() throws Exception {
+    Points many = RandomSites.uniform(Editor.AT_ONCE + 1, 5);
+    SwingUtilities.invokeAndWait(() -> sites.load(new Document(Domain.SITES, many), "many"));
+    awaitShown(many);
+    SwingUtilities.invokeAndWait(
+        () -> {
+          for (int i = 1; i <= 50; i++) {
+            sites.preview(many.moved(0, -i, 0));
+          }
+        });
+    awaitShown(many.moved(0, -50, 0));
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.preview(many.moved(0, -60, 0));
+          sites.perform(Edit.move(sites.document(), 0, -70, 0));
+        });
+    awaitShown(many.moved(0, -70, 0));
+    assertThat(jobs.isIdle()).as("nothing older comes after").isTrue();
+  }
+
+  private void awaitShown(Points points) throws Exception {
+    long end = System.nanoTime() + 20_000_000_000L;
+    boolean[] there = {false};
+    while (!there[0] && System.nanoTime() < end) {
+      SwingUtilities.invokeAndWait(
+          () ->
+              there[0] =
+                  jobs.isIdle()
+                      && sites.shown().triangulation().isPresent()
+                      && sites.shown().document().points().equals(points));
+    }
+    assertThat(there[0]).isTrue();
   }
 
   private void load(double... pairs) {

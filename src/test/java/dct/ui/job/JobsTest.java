@@ -129,6 +129,60 @@ class JobsTest {
     assertThat(order).hasSize(20).isSorted();
   }
 
+  @Test
+  void anUpdateOfThePictureDoesNotWaitForAJob() throws Exception {
+    CountDownLatch updated = new CountDownLatch(1);
+    List<String> order = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.submit("job", progress -> await(updated), result -> order.add("job " + result));
+          jobs.update(
+              "update",
+              progress -> "",
+              result -> {
+                order.add("update");
+                updated.countDown();
+              });
+        });
+    awaitIdle();
+    assertThat(order).containsExactly("update", "job true");
+  }
+
+  private static boolean await(CountDownLatch latch) {
+    try {
+      return latch.await(10, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Test
+  void onlyAJobThatHasNotBegunCanBeWithdrawn() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch goOn = new CountDownLatch(1);
+    List<String> results = new ArrayList<>();
+    List<Jobs.Handle> handles = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          handles.add(
+              jobs.update(
+                  "first",
+                  progress -> {
+                    begun.countDown();
+                    return await(goOn);
+                  },
+                  result -> results.add("first")));
+          handles.add(jobs.update("second", progress -> 2, result -> results.add("second")));
+          handles.add(jobs.update("third", progress -> 3, result -> results.add("third")));
+        });
+    assertThat(await(begun)).isTrue();
+    handles.get(0).withdraw();
+    handles.get(1).withdraw();
+    goOn.countDown();
+    awaitIdle();
+    assertThat(results).containsExactly("first", "third");
+  }
+
   private List<String> awaitIdle() throws InterruptedException {
     List<String> lines = new ArrayList<>();
     String line = "";

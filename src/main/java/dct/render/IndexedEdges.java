@@ -1,0 +1,78 @@
+package dct.render;
+
+/**
+ * The edges of a layer in the order of their nearer ends along the curve of a {@link SceneIndex}.
+ */
+final class IndexedEdges {
+  private final Stroke stroke;
+  private final int[] from; // the place of one end, by edge
+  private final int[] to; // the place of the other
+  private final Blocks blocks;
+  private final double[] longest; // the length of the longest edge, by block
+
+  /**
+   * Sorts the edges of a layer by counting.
+   *
+   * @param places where each vertex is along the curve
+   * @param x the x-coordinates along the curve
+   * @param y the y-coordinates along the curve
+   */
+  IndexedEdges(EdgeLayer layer, int[] places, double[] x, double[] y) {
+    stroke = layer.stroke();
+    from = new int[layer.size()];
+    to = new int[layer.size()];
+    blocks = new Blocks(from.length);
+    longest = new double[blocks.count()];
+    sort(layer, places);
+    for (int k = 0; k < from.length; k++) {
+      int a = from[k];
+      int b = to[k];
+      blocks.include(k, x[a], y[a]);
+      blocks.include(k, x[b], y[b]);
+      double length = Math.sqrt((x[a] - x[b]) * (x[a] - x[b]) + (y[a] - y[b]) * (y[a] - y[b]));
+      longest[k / Blocks.SIZE] = Math.max(longest[k / Blocks.SIZE], length);
+    }
+  }
+
+  private void sort(EdgeLayer layer, int[] places) {
+    int[] next = new int[places.length + 1]; // where the next edge of each place goes
+    for (int k = 0; k < from.length; k++) {
+      next[Math.min(places[layer.from(k)], places[layer.to(k)]) + 1]++;
+    }
+    for (int place = 1; place < next.length; place++) {
+      next[place] += next[place - 1];
+    }
+    for (int k = 0; k < from.length; k++) {
+      int a = places[layer.from(k)];
+      int b = places[layer.to(k)];
+      int at = next[Math.min(a, b)]++;
+      from[at] = a;
+      to[at] = b;
+    }
+  }
+
+  /** How these edges are drawn. */
+  Stroke stroke() {
+    return stroke;
+  }
+
+  /** The blocks of the edges. */
+  Blocks blocks() {
+    return blocks;
+  }
+
+  /** The length of the longest edge in a block, in the model. */
+  double longest(int block) {
+    return longest[block];
+  }
+
+  /** The place of one end of edge k. */
+  int from(int k) {
+    return from[k];
+  }
+
+  /** The place of the other end of edge k. */
+  int to(int k) {
+    return to[k];
+  }
+}
