@@ -219,6 +219,35 @@ public final class Scene {
     return layers.stream().mapToInt(EdgeLayer::size).sum();
   }
 
+  /** Looks at edges. */
+  @FunctionalInterface
+  public interface EdgeVisitor {
+    /**
+     * Looks at the edge between two vertices.
+     *
+     * @return how far from the place that was asked for further edges are still of interest
+     */
+    double visit(int from, int to);
+  }
+
+  /**
+   * Visits the edges near a place of the screen: all those that come nearer to it than the distance
+   * which the visitor returned last, and some others.
+   */
+  public void visitNear(Viewport view, double x, double y, EdgeVisitor visitor) {
+    double within = Double.POSITIVE_INFINITY;
+    for (IndexedEdges edges : index().layers()) {
+      Blocks blocks = edges.blocks();
+      for (int block = 0; block < blocks.count(); block++) {
+        if (blocks.distance(block, view, x, y) <= within) {
+          for (int k = blocks.first(block); k < blocks.end(block); k++) {
+            within = visitor.visit(index().vertex(edges.from(k)), index().vertex(edges.to(k)));
+          }
+        }
+      }
+    }
+  }
+
   /** The vertices and edges by place. */
   SceneIndex index() {
     return index.get();

@@ -2,6 +2,8 @@ package dct.render;
 
 import dct.core.geometry.Defect;
 import dct.render.Pen.Anchor;
+import java.util.EnumSet;
+import java.util.Set;
 
 /**
  * Draws a scene with a pen: the one painter for screen and files.
@@ -136,22 +138,33 @@ public final class ScenePainter {
     }
   }
 
-  /** Odd vertices come last: the fewer they get, the more they are what is looked for. */
+  /**
+   * Odd vertices come last: the fewer they get, the more they are what is looked for. Where dots
+   * cover each other that would hide most even ones, so there they come as they lie.
+   */
   private void vertices() {
-    for (Ink ink : new Ink[] {Ink.VERTEX, Ink.EVEN, Ink.ODD}) {
-      if (scene.hasDegrees() == (ink != Ink.VERTEX)) {
-        pen.style(Stroke.fill(ink));
-        vertices(ink);
-      }
+    if (!scene.hasDegrees()) {
+      vertices(EnumSet.of(Ink.VERTEX));
+    } else if (dot == SMALLEST_DOT) {
+      vertices(EnumSet.of(Ink.EVEN, Ink.ODD));
+    } else {
+      vertices(EnumSet.of(Ink.EVEN));
+      vertices(EnumSet.of(Ink.ODD));
     }
   }
 
-  private void vertices(Ink ink) {
+  private void vertices(Set<Ink> inks) {
     Blocks blocks = index.blocks();
+    Ink last = null;
     for (int block = 0; block < blocks.count(); block++) {
       if (blocks.mayMeet(block, view, clip)) {
         for (int place = blocks.first(block); place < blocks.end(block); place++) {
-          if (index.ink(place) == ink) {
+          Ink ink = index.ink(place);
+          if (inks.contains(ink)) {
+            if (ink != last) {
+              pen.style(Stroke.fill(ink));
+              last = ink;
+            }
             vertex(ink, view.screenX(index.x(place)), view.screenY(index.y(place)));
           }
         }

@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.Timer;
 import javax.swing.UIManager;
 
 /**
@@ -18,11 +19,18 @@ final class CoordinateList extends JScrollPane {
   /** A text of more lines would take longer to lay out than the mouse takes to move on. */
   private static final int MOST_LINES = 5_000;
 
+  /** Longer texts are written when the vertices have come to rest. */
+  private static final int AT_ONCE = 200;
+
+  private static final int PAUSE_MILLIS = 150;
+
   private final JTextArea coordinates = new JTextArea();
   private final LineNumbers numbers = new LineNumbers(coordinates);
+  private final Timer pause = new Timer(PAUSE_MILLIS, e -> write(shown()));
   private transient Points shown;
 
   CoordinateList() {
+    pause.setRepeats(false);
     coordinates.setName("coordinates");
     coordinates.getAccessibleContext().setAccessibleName("Coordinates of the vertices");
     coordinates.setEditable(false);
@@ -33,12 +41,25 @@ final class CoordinateList extends JScrollPane {
     brighten();
   }
 
+  private Points shown() {
+    return shown;
+  }
+
   /** Shows these points. */
   void show(Points points) {
     if (points.equals(shown)) {
       return;
     }
     shown = points;
+    if (points.size() <= AT_ONCE) {
+      pause.stop();
+      write(points);
+    } else {
+      pause.restart();
+    }
+  }
+
+  private void write(Points points) {
     int lines = Math.min(points.size(), MOST_LINES);
     StringBuilder text = new StringBuilder();
     for (int v = 0; v < lines; v++) {

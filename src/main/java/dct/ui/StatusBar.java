@@ -1,6 +1,7 @@
 package dct.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.util.Locale;
 import javax.swing.BorderFactory;
@@ -39,12 +40,14 @@ final class StatusBar extends JPanel {
     running.add(work);
     running.add(bar);
     running.add(stop);
-    running.setVisible(false);
     JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
     right.add(running);
     right.add(zoom);
     add(message, BorderLayout.CENTER);
     add(right, BorderLayout.EAST);
+    // The canvas above keeps its size when the progress comes and goes.
+    setPreferredSize(new Dimension(0, getPreferredSize().height));
+    running.setVisible(false);
     patience = new Timer(PATIENCE_MILLIS, e -> running.setVisible(true));
     patience.setRepeats(false);
   }
@@ -76,8 +79,9 @@ final class StatusBar extends JPanel {
     work.setText(what);
     bar.setIndeterminate(fraction < 0);
     bar.setValue((int) Math.round(1000 * fraction));
-    if (!running.isVisible() && !patience.isRunning()) {
-      patience.start();
+    boolean begins = fraction < 0; // patience is for each job, not for many short ones in a row
+    if (!running.isVisible() && (begins || !patience.isRunning())) {
+      patience.restart();
     }
   }
 

@@ -49,24 +49,23 @@ public final class HilbertOrder {
     return Arrays.stream(values).max().orElse(0);
   }
 
-  /** The place of a cell along the curve. */
+  /**
+   * The place of a cell along the curve. A quarter of the square is walked as the whole is, but
+   * some with the axes swapped and some also turned round; no branch, for none could be predicted.
+   */
   private static long key(int column, int row) {
-    int x = column;
-    int y = row;
     long key = 0;
-    for (int side = SIDE / 2; side > 0; side /= 2) {
-      int right = (x & side) != 0 ? 1 : 0;
-      int up = (y & side) != 0 ? 1 : 0;
-      key += (long) side * side * ((3 * right) ^ up);
-      if (up == 0) {
-        if (right == 1) {
-          x = SIDE - 1 - x;
-          y = SIDE - 1 - y;
-        }
-        int kept = x;
-        x = y;
-        y = kept;
-      }
+    int swapped = 0;
+    int turned = 0;
+    for (int bit = BITS - 1; bit >= 0; bit--) {
+      int x = (column >> bit) & 1;
+      int y = (row >> bit) & 1;
+      int exchange = (x ^ y) & swapped;
+      int right = x ^ exchange ^ turned;
+      int up = y ^ exchange ^ turned;
+      key = key << 2 | ((3 * right) ^ up);
+      turned ^= right & (up ^ 1);
+      swapped ^= up ^ 1;
     }
     return key;
   }

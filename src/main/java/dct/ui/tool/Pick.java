@@ -1,10 +1,9 @@
 package dct.ui.tool;
 
 import dct.core.geometry.Points;
-import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
 import dct.render.Ink;
 import dct.render.Pen;
+import dct.render.Scene;
 import dct.render.Stroke;
 import dct.render.Viewport;
 import dct.ui.document.Analysis;
@@ -30,12 +29,14 @@ final class Pick {
   /** The vertex nearest to the spot, if it is within reach; −1 if none is. */
   static int vertex(Points points, Viewport view, Spot spot) {
     int nearest = -1;
-    double least = REACH;
+    double least = REACH * REACH;
     for (int v = 0; v < points.size(); v++) {
-      double distance = distance(points, view, v, spot);
+      double dx = view.screenX(points.x(v)) - spot.screenX();
+      double dy = view.screenY(points.y(v)) - spot.screenY();
+      double square = dx * dx + dy * dy;
       // Of several at one distance the last wins: it is drawn on top.
-      if (distance <= least) {
-        least = distance;
+      if (square <= least) {
+        least = square;
         nearest = v;
       }
     }
@@ -51,20 +52,7 @@ final class Pick {
   /** The point nearest to the spot on any edge shown; nothing if there are no edges. */
   static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot) {
     Search search = new Search(shown.document().points(), view, spot);
-    if (shown.document().domain() == Domain.POLYGON) {
-      int n = shown.document().size();
-      for (int v = 0; v + 1 < n; v++) {
-        search.offer(v, v + 1);
-      }
-      if (n > 2) {
-        search.offer(n - 1, 0);
-      }
-    } else if (shown.triangulation().isPresent()) {
-      Triangulation triangulation = shown.triangulation().get();
-      for (int edge = 0; edge < triangulation.edgeCount(); edge++) {
-        search.offer(triangulation.from(edge), triangulation.to(edge));
-      }
-    }
+    shown.scene().visitNear(view, spot.screenX(), spot.screenY(), search);
     return Optional.ofNullable(search.best);
   }
 
@@ -75,7 +63,7 @@ final class Pick {
   }
 
   /** Measures on the screen, where tiny and huge coordinates are no trouble. */
-  private static final class Search {
+  private static final class Search implements Scene.EdgeVisitor {
     private final Points points;
     private final Viewport view;
     private final Spot spot;
@@ -88,7 +76,8 @@ final class Pick {
       this.spot = spot;
     }
 
-    void offer(int from, int to) {
+    @Override
+    public double visit(int from, int to) {
       double ax = view.screenX(points.x(from));
       double ay = view.screenY(points.y(from));
       double dx = view.screenX(points.x(to)) - ax;
@@ -104,6 +93,7 @@ final class Pick {
         double y = points.y(from) * (1 - t) + points.y(to) * t;
         best = new EdgePoint(from, to, Spot.rounded(view, x), Spot.rounded(view, y));
       }
+      return least;
     }
   }
 }
