@@ -19,12 +19,11 @@ public final class SweepStatus {
   public static final int NONE = -1;
 
   private final Points points;
-  private final int[] upper; // the end of the edge that the line meets first
-  private final int[] lower; // the other end
+  private final double[]
+      ends; // by 4·edge: x, y of the end that the line meets first, and of the other
   private final int[] before; // the edge to the left in the list
   private final int[] after; // the edge to the right in the list
-  private final int[] left; // children and parent in the tree
-  private final int[] right;
+  private final int[] child; // in the tree: by 2·edge the left one, by 2·edge + 1 the right one
   private final int[] parent;
   private final int[] priority; // no child has a higher one than its parent
   private int root = NONE;
@@ -34,12 +33,10 @@ public final class SweepStatus {
   /** An empty status for edges 0 … capacity − 1 between these points. */
   public SweepStatus(Points points, int capacity) {
     this.points = points;
-    upper = new int[capacity];
-    lower = new int[capacity];
+    ends = new double[4 * capacity];
     before = new int[capacity];
     after = new int[capacity];
-    left = new int[capacity];
-    right = new int[capacity];
+    child = new int[2 * capacity];
     parent = new int[capacity];
     priority = new int[capacity];
     Arrays.fill(parent, NONE);
@@ -53,16 +50,17 @@ public final class SweepStatus {
     touched = NONE;
     int found = NONE;
     int edge = root;
+    double x = points.x(v);
+    double y = points.y(v);
     while (edge != NONE) {
-      int side = points.orient(upper[edge], lower[edge], v);
+      int i = 4 * edge;
+      int side = Predicates.orient(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], x, y);
       if (side > 0) {
         found = edge;
-        edge = right[edge];
+        edge = child[2 * edge + 1];
       } else {
-        if (side == 0) {
-          touched = edge;
-        }
-        edge = left[edge];
+        touched = side == 0 ? edge : touched;
+        edge = child[2 * edge];
       }
     }
     return found;
@@ -85,19 +83,18 @@ public final class SweepStatus {
 
   /** Inserts an edge, given by the end that the line meets first and the other one. */
   public void insertAfter(int leftNeighbour, int edge, int upperEnd, int lowerEnd) {
-    upper[edge] = upperEnd;
-    lower[edge] = lowerEnd;
-    left[edge] = NONE;
-    right[edge] = NONE;
+    place(edge, upperEnd, lowerEnd);
+    child[2 * edge] = NONE;
+    child[2 * edge + 1] = NONE;
     priority[edge] = hash(edge);
     int rightNeighbour = after(leftNeighbour);
     thread(leftNeighbour, edge);
     thread(edge, rightNeighbour);
-    if (leftNeighbour != NONE && right[leftNeighbour] == NONE) {
-      right[leftNeighbour] = edge;
+    if (leftNeighbour != NONE && child[2 * leftNeighbour + 1] == NONE) {
+      child[2 * leftNeighbour + 1] = edge;
       parent[edge] = leftNeighbour;
     } else if (rightNeighbour != NONE) {
-      left[rightNeighbour] = edge; // free: its predecessor has a right child, or there is none
+      child[2 * rightNeighbour] = edge; // free: its predecessor has a right child, or there is none
       parent[edge] = rightNeighbour;
     } else {
       root = edge;
@@ -106,6 +103,14 @@ public final class SweepStatus {
     while (parent[edge] != NONE && priority[parent[edge]] < priority[edge]) {
       rotateUp(edge);
     }
+  }
+
+  /** Copies the ends of an edge, so that a search finds all it needs of one in one place. */
+  private void place(int edge, int upperEnd, int lowerEnd) {
+    ends[4 * edge] = points.x(upperEnd);
+    ends[4 * edge + 1] = points.y(upperEnd);
+    ends[4 * edge + 2] = points.x(lowerEnd);
+    ends[4 * edge + 3] = points.y(lowerEnd);
   }
 
   private void thread(int leftEdge, int rightEdge) {
@@ -121,16 +126,15 @@ public final class SweepStatus {
 
   /** Puts an edge that starts where {@code old} ends into the place of that one. */
   public void replace(int old, int edge, int upperEnd, int lowerEnd) {
-    upper[edge] = upperEnd;
-    lower[edge] = lowerEnd;
-    left[edge] = left[old];
-    right[edge] = right[old];
+    place(edge, upperEnd, lowerEnd);
+    child[2 * edge] = child[2 * old];
+    child[2 * edge + 1] = child[2 * old + 1];
     priority[edge] = priority[old];
     thread(before[old], edge);
     thread(edge, after[old]);
     putInPlaceOf(old, edge);
-    adopt(edge, left[edge]);
-    adopt(edge, right[edge]);
+    adopt(edge, child[2 * edge]);
+    adopt(edge, child[2 * edge + 1]);
   }
 
   private void adopt(int edge, int child) {
@@ -144,10 +148,8 @@ public final class SweepStatus {
     int above = parent[old];
     if (above == NONE) {
       root = edge;
-    } else if (left[above] == old) {
-      left[above] = edge;
     } else {
-      right[above] = edge;
+      child[2 * above + sideOf(old, above)] = edge;
     }
     if (edge != NONE) {
       parent[edge] = above;
@@ -157,27 +159,28 @@ public final class SweepStatus {
   /** Removes an edge. */
   public void remove(int edge) {
     thread(before[edge], after[edge]);
-    while (left[edge] != NONE && right[edge] != NONE) {
-      int l = left[edge];
-      int r = right[edge];
+    while (child[2 * edge] != NONE && child[2 * edge + 1] != NONE) {
+      int l = child[2 * edge];
+      int r = child[2 * edge + 1];
       rotateUp(priority[l] > priority[r] ? l : r);
     }
-    putInPlaceOf(edge, left[edge] != NONE ? left[edge] : right[edge]);
+    putInPlaceOf(edge, child[2 * edge] != NONE ? child[2 * edge] : child[2 * edge + 1]);
   }
 
   private void rotateUp(int edge) {
     int above = parent[edge];
+    int side = sideOf(edge, above);
+    int between = child[2 * edge + 1 - side];
     putInPlaceOf(above, edge);
-    if (left[above] == edge) {
-      left[above] = right[edge];
-      adopt(above, right[edge]);
-      right[edge] = above;
-    } else {
-      right[above] = left[edge];
-      adopt(above, left[edge]);
-      left[edge] = above;
-    }
+    child[2 * above + side] = between;
+    adopt(above, between);
+    child[2 * edge + 1 - side] = above;
     parent[above] = edge;
+  }
+
+  /** 0 if the edge is a left child, 1 if it is a right one. */
+  private int sideOf(int edge, int above) {
+    return child[2 * above] == edge ? 0 : 1;
   }
 
   /** The finalizer of MurmurHash3: every bit of the edge reaches every bit of the priority. */

@@ -31,7 +31,7 @@ public final class MonotonePartition {
   private final int[] rank; // place of each position's vertex in that order
   private final Dcel dcel;
   private final SweepStatus status; // the left edges of the trapezoids; edge k leaves position k
-  private final int[] rightEdge; // by left edge: the right edge of the trapezoid
+  private final int[] opposite; // by edge of a trapezoid, left or right: its edge on the other side
   private final int[]
       support; // by left edge: the half-edge that leaves the upper supporting vertex
   private final boolean[] hangs; // by left edge: that vertex is a cusp above the trapezoid
@@ -48,7 +48,7 @@ public final class MonotonePartition {
     }
     dcel = Dcel.cycle(polygon.walk());
     status = new SweepStatus(points, n);
-    rightEdge = new int[n];
+    opposite = new int[n];
     support = new int[n];
     hangs = new boolean[n];
     chords = withChords ? new ArrayList<>() : null;
@@ -131,17 +131,17 @@ public final class MonotonePartition {
   /** The boundary goes down through k, the inside is on its right. */
   private void passLeft(int k) {
     int old = before(k);
-    chord(k, rightEdge[old]);
+    chord(k, opposite[old]);
     if (hangs[old]) {
       dcel.splitFace(2 * k, support[old]);
     }
     status.replace(old, k, polygon.vertex(k), polygon.vertex(after(k)));
-    openTrapezoid(k, rightEdge[old], 2 * k, false);
+    openTrapezoid(k, opposite[old], 2 * k, false);
   }
 
   /** The boundary goes up through k, the inside is on its left. */
   private void passRight(int k) {
-    int left = status.search(polygon.vertex(k));
+    int left = opposite[k];
     chord(k, left);
     int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
     openTrapezoid(left, before(k), corner, false);
@@ -156,9 +156,9 @@ public final class MonotonePartition {
       return;
     }
     chord(k, left);
-    chord(k, rightEdge[left]);
+    chord(k, opposite[left]);
     int corner = dcel.splitFace(2 * k, support[left]);
-    openTrapezoid(k, rightEdge[left], 2 * k, false);
+    openTrapezoid(k, opposite[left], 2 * k, false);
     openTrapezoid(left, before(k), corner, false);
   }
 
@@ -174,13 +174,14 @@ public final class MonotonePartition {
       return;
     }
     chord(k, left);
-    chord(k, rightEdge[right]);
+    chord(k, opposite[right]);
     int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
-    openTrapezoid(left, rightEdge[right], corner, true);
+    openTrapezoid(left, opposite[right], corner, true);
   }
 
   private void openTrapezoid(int left, int right, int upperSupport, boolean cusp) {
-    rightEdge[left] = right;
+    opposite[left] = right;
+    opposite[right] = left;
     support[left] = upperSupport;
     hangs[left] = cusp;
   }
