@@ -49,7 +49,9 @@ final class MainMenu {
                 "Export Picture",
                 "ctrl E",
                 "Writes what is seen to a PNG or SVG file",
-                () -> PictureExport.ask(window, canvas, window.documentName())))
+                () ->
+                    PictureExport.ask(
+                        window, canvas, window.documentName(), window.workbench().jobs())))
         .line()
         .with(command("Exit", "ctrl Q", "Closes the application", window::exit));
   }

@@ -3,8 +3,13 @@ package dct.ui;
 import dct.io.CannotWriteException;
 import dct.render.PictureFile;
 import dct.render.PictureFile.Format;
+import dct.render.Scene;
+import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.job.Jobs;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -14,14 +19,20 @@ final class PictureExport {
 
   private PictureExport() {}
 
-  /** Asks for the file and writes it. */
-  static void ask(Component parent, CanvasPanel canvas, String name) {
+  /** Asks for the file and writes it in the background. */
+  static void ask(Component parent, CanvasPanel canvas, String name, Jobs jobs) {
     Path suggested = Path.of(name.replaceFirst("\\.[A-Za-z]{1,5}$", "") + ".png");
     Optional<Path> typed = Chooser.PICTURES.save(parent, suggested);
     if (typed.isPresent()) {
       Path file = withEnding(typed.get());
       if (!Files.exists(file) || Chooser.confirmReplacing(parent, file)) {
-        write(parent, canvas, file);
+        Scene scene = canvas.scene();
+        Viewport view = canvas.viewport();
+        Dimension size = canvas.getSize();
+        jobs.submit(
+            "Exporting " + file.getFileName(),
+            progress -> write(scene, view, size, file),
+            written -> {});
       }
     }
   }
@@ -31,12 +42,12 @@ final class PictureExport {
     return said ? typed : typed.resolveSibling(typed.getFileName() + ".png");
   }
 
-  private static void write(Component parent, CanvasPanel canvas, Path file) {
+  private static Path write(Scene scene, Viewport view, Dimension size, Path file) {
     try {
-      PictureFile.write(
-          canvas.scene(), canvas.viewport(), canvas.getWidth(), canvas.getHeight(), file);
+      PictureFile.write(scene, view, size.width, size.height, file);
+      return file;
     } catch (CannotWriteException e) {
-      Ask.sorry(parent, "Export Picture", e.getMessage());
+      throw new UncheckedIOException(e);
     }
   }
 }

@@ -107,7 +107,8 @@ final class PolygonResults {
   private void show(
       Document document, Triangulation result, Scene scene, String title, JFrame beside) {
     Editor editor = workbench.editor(Domain.POLYGON);
-    ResultFrame frame = new ResultFrame(title, editor.name(), scene, owner.canvas().labels());
+    ResultFrame frame =
+        new ResultFrame(title, editor.name(), scene, owner.canvas().labels(), workbench.jobs());
     Placement.beside(frame, beside, owner, frames.size());
     if (beside != owner) {
       beside.toFront(); // so that old and new can be compared

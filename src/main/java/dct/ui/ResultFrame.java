@@ -5,6 +5,7 @@ import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
+import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ComponentAdapter;
@@ -25,8 +26,9 @@ public final class ResultFrame extends JFrame {
    * @param method what was done
    * @param name what it was done to
    * @param labels what is written beside the vertices at first
+   * @param jobs write pictures in the background
    */
-  public ResultFrame(String method, String name, Scene scene, Labels labels) {
+  public ResultFrame(String method, String name, Scene scene, Labels labels, Jobs jobs) {
     super(method + " · " + name);
     setName("result");
     canvas.setPreferredSize(CANVAS);
@@ -35,11 +37,11 @@ public final class ResultFrame extends JFrame {
     canvas.getAccessibleContext().setAccessibleDescription(String.join("; ", scene.counts()));
     canvas.addComponentListener(new FitAtFirst());
     add(canvas, BorderLayout.CENTER);
-    setJMenuBar(menuBar(name));
+    setJMenuBar(menuBar(name, jobs));
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
   }
 
-  private JMenuBar menuBar(String name) {
+  private JMenuBar menuBar(String name, Jobs jobs) {
     JMenuBar bar = new JMenuBar();
     bar.add(
         new CommandMenu("File")
@@ -48,7 +50,7 @@ public final class ResultFrame extends JFrame {
                     "Export Picture",
                     "ctrl E",
                     "Writes what is seen to a PNG or SVG file",
-                    () -> PictureExport.ask(this, canvas, name)))
+                    () -> PictureExport.ask(this, canvas, name, jobs)))
             .line()
             .with(new Command("Close", "ctrl W", "Closes this window", this::dispose)));
     bar.add(ViewMenu.of(canvas));
