@@ -24,6 +24,7 @@ final class PolygonComparison {
           PolygonShape.COMB,
           PolygonShape.SPIRAL,
           PolygonShape.TOUR,
+          PolygonShape.ORTHOGONAL,
           PolygonShape.SPANNING_TREE);
   private static final int SMALLEST = 100;
 

@@ -9,8 +9,7 @@ import picocli.CommandLine.Model.OptionSpec;
 final class ConvertCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec output =
-      outputs(
-          true, "Where to: .txt, .json, .png or .svg; - is text on standard output. May repeat.");
+      outputs(true, "Where to: " + Format.ENDINGS + "; - is text on standard output. May repeat.");
 
   ConvertCommand(Console console) {
     super(console, "Writes the points of a file in another format. They need not be a polygon.");

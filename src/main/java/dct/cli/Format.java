@@ -6,8 +6,15 @@ import java.util.Locale;
 enum Format {
   TXT,
   JSON,
+  OFF,
   PNG,
-  SVG;
+  SVG,
+  PDF,
+  IPE,
+  TEX;
+
+  /** The endings of all, for messages. */
+  static final String ENDINGS = ".txt, .json, .off, .png, .svg, .pdf, .ipe or .tex";
 
   /**
    * The format for a file of this name.
@@ -21,8 +28,7 @@ enum Format {
         return format;
       }
     }
-    throw new UsageException(
-        "the ending of " + name + " is no format, use .txt, .json, .png or .svg");
+    throw new UsageException("the ending of " + name + " is no format, use " + ENDINGS);
   }
 
   private String ending() {

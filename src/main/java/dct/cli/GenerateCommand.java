@@ -41,7 +41,9 @@ final class GenerateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Where to: .txt, .json, .png or .svg; - is text on standard output, which is the default."
+          "Where to: "
+              + Format.ENDINGS
+              + "; - is text on standard output, which is the default."
               + " May repeat.");
 
   GenerateCommand(Console console) {

@@ -1,6 +1,7 @@
 package dct.cli;
 
 import dct.core.triangulate.Domain;
+import dct.io.OffFile;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
@@ -29,7 +30,8 @@ final class PointOutput {
     switch (Format.of(output)) {
       case TXT -> PointFile.write(file, document);
       case JSON -> ResultJson.write(file, document);
-      case PNG, SVG -> PictureFile.write(scene(document), file);
+      case OFF -> OffFile.write(file, document.points());
+      case PNG, SVG, PDF, IPE, TEX -> PictureFile.write(scene(document), file);
     }
   }
 

@@ -1,6 +1,7 @@
 package dct.cli;
 
 import dct.core.degree.FlipResult;
+import dct.io.OffFile;
 import dct.io.PointFile;
 import dct.io.Result;
 import dct.io.ResultJson;
@@ -34,7 +35,8 @@ record ResultOutput(Result result, Optional<FlipResult> flipped) {
       case TXT ->
           PointFile.write(file, result.triangulation().domain(), result.triangulation().points());
       case JSON -> ResultJson.write(file, result);
-      case PNG, SVG -> PictureFile.write(scene(), file);
+      case OFF -> OffFile.write(file, result.triangulation());
+      case PNG, SVG, PDF, IPE, TEX -> PictureFile.write(scene(), file);
     }
   }
 

@@ -28,7 +28,7 @@ final class TriangulateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Where to write: .json the whole result, .txt the vertices, .png or .svg a picture; - is the"
+          "Where to write: .json the whole result, .txt the vertices, .off the triangles, .png, .svg, .pdf, .ipe or .tex a picture; - is the"
               + " whole result as JSON on standard output. May repeat.");
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");

@@ -28,7 +28,13 @@ public final class PictureFile {
     /** Pixels. */
     PNG,
     /** Shapes. */
-    SVG;
+    SVG,
+    /** A page. */
+    PDF,
+    /** For the editor Ipe. */
+    IPE,
+    /** LaTeX, with TikZ. */
+    TEX;
 
     /** The format that a file's ending asks for, or nothing for another ending. */
     public static Optional<Format> of(Path file) {
@@ -45,7 +51,7 @@ public final class PictureFile {
    * Writes a picture of the whole scene, y downwards, in the format of the file's ending. The file
    * is written whole or not at all.
    *
-   * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
+   * @throws IllegalArgumentException if the ending is that of no {@link Format}
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Scene scene, Path file) throws CannotWriteException {
@@ -55,7 +61,7 @@ public final class PictureFile {
   /**
    * Writes what this viewport shows of the scene on a screen of this size.
    *
-   * @throws IllegalArgumentException if the ending is neither {@code .png} nor {@code .svg}
+   * @throws IllegalArgumentException if the ending is that of no {@link Format}
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Scene scene, Viewport view, int width, int height, Path file)
@@ -63,7 +69,9 @@ public final class PictureFile {
     Format format =
         Format.of(file)
             .orElseThrow(
-                () -> new IllegalArgumentException(file + " ends in neither .png nor .svg"));
+                () ->
+                    new IllegalArgumentException(
+                        file + " ends in none of .png, .svg, .pdf, .ipe and .tex"));
     AtomicFile.write(file, out -> write(scene, view, width, height, format, out));
   }
 
@@ -77,8 +85,21 @@ public final class PictureFile {
       throws IOException {
     switch (format) {
       case PNG -> ImageIO.write(image(scene, view, width, height), "png", out);
-      case SVG -> out.write(svg(scene, view, width, height).getBytes(StandardCharsets.UTF_8));
+      case SVG -> write(svg(scene, view, width, height), out);
+      case PDF -> PdfPage.write(width, height, g -> draw(scene, view, width, height, g), out);
+      case IPE -> write(ipe(scene, view, width, height), out);
+      case TEX -> write(tex(scene, view, width, height), out);
     }
+  }
+
+  private static void write(String text, OutputStream out) throws IOException {
+    out.write(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static void draw(Scene scene, Viewport view, int width, int height, Graphics2D graphics) {
+    GraphicsPen pen = new GraphicsPen(graphics, THEME);
+    pen.ground(width, height);
+    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
   }
 
   /** The scene as an image, smoothed. */
@@ -94,6 +115,20 @@ public final class PictureFile {
   /** The scene as an SVG document. */
   static String svg(Scene scene, Viewport view, int width, int height) {
     SvgPen pen = new SvgPen(width, height, THEME);
+    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
+    return pen.finish();
+  }
+
+  /** The scene as a document of Ipe. */
+  static String ipe(Scene scene, Viewport view, int width, int height) {
+    IpePen pen = new IpePen(width, height, THEME);
+    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
+    return pen.finish();
+  }
+
+  /** The scene as a LaTeX document. */
+  static String tex(Scene scene, Viewport view, int width, int height) {
+    TikzPen pen = new TikzPen(width, height, THEME);
     ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
     return pen.finish();
   }

@@ -1,7 +1,5 @@
 package dct.render;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.Locale;
 
 /**
@@ -116,11 +114,7 @@ public final class SvgPen implements Pen {
   }
 
   private void number(double value) {
-    out.append(
-        BigDecimal.valueOf(value)
-            .setScale(2, RoundingMode.HALF_EVEN)
-            .stripTrailingZeros()
-            .toPlainString());
+    out.append(PenNumbers.of(value));
   }
 
   private void escaped(String text) {

@@ -11,7 +11,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 enum Chooser {
   DOCUMENTS("Polygons and sites (*.txt)", "txt"),
   WISHES("Wished parities (*.txt)", "txt"),
-  PICTURES("Pictures (*.png, *.svg)", "png svg");
+  PICTURES("Pictures (*.png, *.svg, *.pdf, *.ipe, *.tex)", "png svg pdf ipe tex");
 
   private final String filter;
   private final String endings; // separated by blanks

@@ -56,9 +56,9 @@ class CommandLineProgramTest {
         "triangulate --flop a | dct triangulate: Unknown option: '--flop';"
             + " see dct triangulate --help",
         "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format,"
-            + " use .txt, .json, .png or .svg; see dct triangulate --help",
+            + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
         "triangulate a -o b | dct triangulate: the ending of b is no format,"
-            + " use .txt, .json, .png or .svg; see dct triangulate --help",
+            + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
         "triangulate a --json -o - | dct triangulate: --json and -o - both want standard output,"
             + " leave one out; see dct triangulate --help",
         "triangulate - --as lines | dct triangulate: --as lines is unknown,"

@@ -74,6 +74,46 @@ class PictureFileTest {
   }
 
   @Test
+  void ipeIsValidAndTurnsUpsideDown() throws Exception {
+    Document ipe = parse(PictureFile.ipe(scene, PictureFile.fitted(scene), 1000, 700));
+    NodeList paths = ipe.getElementsByTagName("path");
+    assertThat(paths.getLength()).isEqualTo(7 + 5 + 1); // edges, vertices, ground of the counts
+    NodeList texts = ipe.getElementsByTagName("text");
+    assertThat(texts.item(1).getTextContent()).isEqualTo("After: Even 3 $\\cdot$ Odd 2");
+    String[] place = ((Element) texts.item(0)).getAttribute("pos").split(" ", -1);
+    assertThat(Double.parseDouble(place[1])).isBetween(600.0, 700.0); // the upper edge
+  }
+
+  @Test
+  void tikzDrawsEveryEdgeAndVertexInNamedColours() {
+    String tex = PictureFile.tex(scene, PictureFile.fitted(scene), 1000, 700);
+    assertThat(tex.lines().filter(line -> line.contains(" -- "))).hasSize(7);
+    assertThat(tex.lines().filter(line -> line.startsWith("\\fill[even]"))).hasSize(3);
+    assertThat(tex.lines().filter(line -> line.startsWith("\\fill[odd]"))).hasSize(2);
+    assertThat(tex).contains("\\definecolor{flipped}{HTML}{").contains("Even 3 $\\cdot$ Odd 2");
+    assertThat(tex).endsWith("\\end{tikzpicture}\n\\end{document}\n");
+  }
+
+  @Test
+  void pdfIsOnePageAndAlwaysTheSame(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("picture.pdf");
+    Path again = folder.resolve("again.pdf");
+    PictureFile.write(scene, file);
+    PictureFile.write(scene, again);
+    assertThat(again).hasSameBinaryContentAs(file);
+    try (var document = org.apache.pdfbox.Loader.loadPDF(file.toFile())) {
+      assertThat(document.getNumberOfPages()).isEqualTo(1);
+      assertThat(document.getPage(0).getMediaBox().getWidth()).isEqualTo(1000);
+    }
+  }
+
+  @Test
+  void texEscapesWhatItWouldTakeForCommands() {
+    assertThat(TexText.of("50 % of v_1 & {v2} ≡ 0 → #1"))
+        .isEqualTo("50 \\% of v\\_1 \\& \\{v2\\} $\\equiv$ 0 $\\to$ \\#1");
+  }
+
+  @Test
   void svgNumbersHaveAPointInEveryLocale() throws Exception {
     String here = PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700);
     Locale old = Locale.getDefault();

@@ -2,6 +2,7 @@ package dct.render.chart;
 
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
+import dct.render.PdfPage;
 import dct.render.Theme;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;

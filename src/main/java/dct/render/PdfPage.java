@@ -1,4 +1,4 @@
-package dct.render.chart;
+package dct.render;
 
 import de.rototor.pdfbox.graphics2d.PdfBoxGraphics2D;
 import java.awt.Graphics2D;
@@ -11,12 +11,12 @@ import org.apache.pdfbox.pdmodel.PDPageContentStream;
 import org.apache.pdfbox.pdmodel.common.PDRectangle;
 
 /** A PDF document of one page, as large as its drawing. The same drawing gives the same bytes. */
-final class PdfPage {
+public final class PdfPage {
 
   private PdfPage() {}
 
   /** Writes what is drawn on a page of this size, in points. */
-  static void write(int width, int height, Consumer<Graphics2D> drawing, OutputStream out)
+  public static void write(int width, int height, Consumer<Graphics2D> drawing, OutputStream out)
       throws IOException {
     try (PDDocument document = new PDDocument()) {
       document.setDocumentId(1L); // otherwise it is the time
