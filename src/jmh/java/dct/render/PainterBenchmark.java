@@ -69,7 +69,9 @@ public class PainterBenchmark {
     return zoom.image;
   }
 
-  /** Makes the scene of a triangulation and sorts it by place: what comes before its first frame. */
+  /**
+   * Makes the scene of a triangulation and sorts it by place: what comes before its first frame.
+   */
   @Benchmark
   public SceneIndex scene(Drawing drawing) {
     return Scene.of(drawing.triangulation).index();

@@ -11,7 +11,10 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 enum Chooser {
   DOCUMENTS("Polygons and sites (*.txt)", "txt"),
   WISHES("Wished parities (*.txt)", "txt"),
-  PICTURES("Pictures (*.png, *.svg, *.pdf, *.ipe, *.tex)", "png svg pdf ipe tex");
+  PICTURES("Pictures (*.png, *.svg, *.pdf, *.ipe, *.tex)", "png svg pdf ipe tex"),
+  STUDIES(
+      "Rows, tables and charts (*.csv, *.md, *.tex, *.svg, *.png, *.pdf)",
+      "csv md tex svg png pdf");
 
   private final String filter;
   private final String endings; // separated by blanks

@@ -19,12 +19,17 @@ final class MainMenu {
   private final JMenuBar bar = new JMenuBar();
   private final List<CommandMenu> menus;
 
-  MainMenu(MainWindow window, CanvasPanel canvas, FileWork files, MainCommands commands) {
+  MainMenu(
+      MainWindow window,
+      CanvasPanel canvas,
+      FileWork files,
+      MainCommands commands,
+      StudyWork studies) {
     this.window = window;
     this.canvas = canvas;
     this.files = files;
     this.commands = commands;
-    menus = List.of(file(), edit(), triangulate(), ViewMenu.of(canvas), help());
+    menus = List.of(file(), edit(), triangulate(), studies.menu(), ViewMenu.of(canvas), help());
     menus.forEach(bar::add);
   }
 

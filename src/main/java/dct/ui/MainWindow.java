@@ -35,6 +35,7 @@ public final class MainWindow extends JFrame {
   private final transient MainCommands commands;
   private final transient FileWork files;
   private final transient PolygonResults polygons;
+  private final transient StudyWork studies;
   private transient Editor last; // what was shown before
 
   /** A window that is not visible yet, with no application chosen. */
@@ -50,7 +51,8 @@ public final class MainWindow extends JFrame {
     RandomPolygon random = new RandomPolygon(this, workbench, canvas::showWell);
     commands = new MainCommands(workbench, polygons, sites, random, wishes);
     east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
-    MainMenu menu = new MainMenu(this, canvas, files, commands);
+    studies = new StudyWork(this);
+    MainMenu menu = new MainMenu(this, canvas, files, commands, studies);
     setJMenuBar(menu.bar());
     layOut();
     listen();
@@ -200,6 +202,7 @@ public final class MainWindow extends JFrame {
             : "Changes are not saved in: " + String.join(", ", unsaved) + ". Close all the same?";
     if (Ask.confirm(this, "Exit", question, "Exit")) {
       polygons.dispose();
+      studies.dispose();
       workbench.jobs().shutDown();
       dispose();
     }

@@ -164,9 +164,14 @@ abstract class WindowTest {
 
   /** Clicks a menu of the menu bar, or an item of the menu that is open. */
   void clickMenu(String name) {
+    clickForDialog(() -> frame.menuItem(name).click());
+  }
+
+  /** Does something that clicks and may open a dialog. */
+  void clickForDialog(Runnable clicks) {
     // A click that opens a dialog returns from the event queue only after its answer.
     long before = input.mouseReleases();
-    frame.menuItem(name).click();
+    clicks.run();
     await("the click", () -> input.mouseReleases() > before);
     robot.waitForIdle();
   }

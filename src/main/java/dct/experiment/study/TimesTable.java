@@ -3,6 +3,7 @@ package dct.experiment.study;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
@@ -11,7 +12,7 @@ final class TimesTable {
 
   private TimesTable() {}
 
-  /** The mean times for each shape and size; no rows if the times were not kept. */
+  /** The median times for each shape and size; no rows if the times were not kept. */
   static Table of(List<StudyRow> rows) {
     List<StudyRow> timed = rows.stream().filter(row -> !row.millis().isEmpty()).toList();
     List<String> columns = new ArrayList<>(List.of("Shape", "Vertices", "Sets"));
@@ -22,10 +23,10 @@ final class TimesTable {
       groups(timed).values().forEach(group -> cells.add(cells(group, steps)));
     }
     return new Table(
-        "Time of each step in milliseconds: mean ± half the 95 % interval (standard deviation)",
+        "Time of each step in milliseconds, the median",
         columns,
         cells,
-        List.of("Trials ran at the same time on several threads, which slows each of them."));
+        List.of("Trials ran on several threads at once, which slows each of them."));
   }
 
   private static Map<String, List<StudyRow>> groups(List<StudyRow> rows) {
@@ -44,8 +45,9 @@ final class TimesTable {
     cells.add(String.valueOf(trial.n()));
     cells.add(String.valueOf(group.size()));
     for (String step : steps) {
-      double[] millis = group.stream().mapToDouble(row -> row.millis().get(step)).toArray();
-      cells.add(Sample.of(millis).words());
+      double[] millis =
+          group.stream().mapToDouble(row -> row.millis().get(step)).sorted().toArray();
+      cells.add(String.format(Locale.ROOT, "%.3f", millis[millis.length / 2]));
     }
     return cells;
   }

@@ -4,6 +4,7 @@ import dct.render.Ink;
 import dct.render.Theme;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.List;
 import org.knowm.xchart.CategoryChart;
@@ -20,6 +21,8 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 public final class ChartPainter {
   private static final int MARKER = 7;
   private static final float LINE = 2;
+  private static final int TITLE = 14; // size of letters
+  private static final int TEXT = 11;
   private static final int SLANT = 25; // degrees; of the names below bars
   private static final int GRID_ALPHA = 0x50000000;
   private static final double BARS = 0.86; // part of the width that bars take
@@ -58,7 +61,7 @@ public final class ChartPainter {
             .build();
     style(made.getStyler());
     made.getStyler().setXAxisLogarithmic(isWide());
-    for (Chart.Series series : chart.series()) {
+    for (Chart.Series series : withValues()) {
       XYSeries line =
           made.addSeries(
               series.name(), array(series.x()), array(series.y()), array(series.error()));
@@ -66,6 +69,10 @@ public final class ChartPainter {
       line.setLineColor(colour(series)).setLineStyle(new BasicStroke(LINE));
     }
     return made;
+  }
+
+  private List<Chart.Series> withValues() {
+    return chart.series().stream().filter(series -> !series.y().isEmpty()).toList();
   }
 
   private boolean isWide() {
@@ -85,7 +92,7 @@ public final class ChartPainter {
             .build();
     style(made.getStyler());
     made.getStyler().setAvailableSpaceFill(BARS).setXAxisLabelRotation(SLANT);
-    for (Chart.Series series : chart.series()) {
+    for (Chart.Series series : withValues()) {
       CategorySeries bar =
           made.addSeries(series.name(), chart.categories(), series.y(), series.error());
       bar.setFillColor(colour(series));
@@ -101,9 +108,15 @@ public final class ChartPainter {
     styler.setAxisTickLabelsColor(ink).setAxisTickMarksColor(ink);
     styler.setXAxisTitleColor(ink).setYAxisTitleColor(ink);
     styler.setLegendPosition(LegendPosition.OutsideE).setLegendBorderColor(ground);
+    styler.setChartTitleFont(font(Font.BOLD, TITLE)).setLegendFont(font(Font.PLAIN, TEXT));
+    styler.setAxisTitleFont(font(Font.PLAIN, TEXT)).setAxisTickLabelsFont(font(Font.PLAIN, TEXT));
     styler.setMarkerSize(MARKER).setPlotBorderVisible(false).setToolTipsEnabled(false);
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
     styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));
+  }
+
+  private static Font font(int style, int size) {
+    return new Font(Font.SANS_SERIF, style, size);
   }
 
   private static Color colour(Chart.Series series) {

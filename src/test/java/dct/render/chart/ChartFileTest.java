@@ -41,7 +41,14 @@ class ChartFileTest {
           List.of(
               new Series("a", Look.BLUE, List.of(), List.of(1.0, 3.0), errors(2)),
               new Series("b", Look.VIOLET, List.of(), List.of(2.0, 1.0), errors(2))));
-  private static final Chart EMPTY = new Chart("empty", "Nothing", "n", "%", List.of(), List.of());
+  private static final Chart EMPTY =
+      new Chart(
+          "empty",
+          "Nothing",
+          "n",
+          "%",
+          List.of(),
+          List.of(new Series("a", Look.GREEN, List.of(), List.of(), List.of())));
 
   @TempDir Path folder;
 

@@ -1,0 +1,83 @@
+package dct.ui;
+
+import dct.experiment.study.StudyExport;
+import dct.experiment.study.StudyPicture;
+import dct.ui.command.Command;
+import dct.ui.command.CommandMenu;
+import dct.ui.study.StudyDialog;
+import dct.ui.study.StudyHost;
+import dct.ui.study.StudyKind;
+import java.awt.Component;
+import java.awt.Window;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JFrame;
+
+/** The menu Study: a dialog for each study, and frames for the pictures of its rows. */
+final class StudyWork implements StudyHost {
+  private final MainWindow owner;
+  private final Map<StudyKind, StudyDialog> dialogs = new EnumMap<>(StudyKind.class);
+  private final List<JFrame> frames = new ArrayList<>();
+
+  StudyWork(MainWindow owner) {
+    this.owner = owner;
+  }
+
+  /** The menu. */
+  CommandMenu menu() {
+    CommandMenu menu = new CommandMenu("Study");
+    for (StudyKind kind : StudyKind.values()) {
+      menu.with(new Command(kind.title() + "…", "", kind.description(), () -> open(kind)));
+    }
+    return menu;
+  }
+
+  private void open(StudyKind kind) {
+    StudyDialog dialog = dialogs.computeIfAbsent(kind, each -> new StudyDialog(owner, each, this));
+    dialog.setVisible(true);
+    dialog.toFront();
+  }
+
+  @Override
+  public void show(Component over, String name, List<StudyPicture> pictures) {
+    Window beside = owner;
+    for (StudyPicture picture : pictures) {
+      ResultFrame frame =
+          new ResultFrame(picture.method(), name, picture.scene(), owner.canvas().labels());
+      Placement.beside(frame, beside, owner, frames.size());
+      frames.add(frame);
+      frame.setVisible(true);
+      beside = frame;
+    }
+  }
+
+  @Override
+  public Optional<Path> askFile(Component over, String suggested) {
+    return Chooser.STUDIES
+        .save(over, Path.of(suggested))
+        .map(typed -> withEnding(typed, suggested))
+        .filter(file -> !Files.exists(file) || Chooser.confirmReplacing(over, file));
+  }
+
+  private static Path withEnding(Path typed, String suggested) {
+    boolean said = StudyExport.Format.of(typed.toString()).isPresent();
+    String ending = suggested.substring(suggested.lastIndexOf('.'));
+    return said ? typed : typed.resolveSibling(typed.getFileName() + ending);
+  }
+
+  @Override
+  public void sorry(Component over, String title, String sentence) {
+    Ask.sorry(over, title, sentence);
+  }
+
+  /** Ends all studies and closes their windows. */
+  void dispose() {
+    dialogs.values().forEach(StudyDialog::dispose);
+    frames.forEach(JFrame::dispose);
+  }
+}

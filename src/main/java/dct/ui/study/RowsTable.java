@@ -1,0 +1,83 @@
+package dct.ui.study;
+
+import dct.experiment.study.StudyRow;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Collections;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.TableColumn;
+
+/** The table of rows: a click on a head sorts, a double-click or Enter opens a row. */
+final class RowsTable extends JTable {
+  private static final long serialVersionUID = 1L;
+  private static final String OPEN = "open";
+  private static final int MARGIN = 28; // of a cell, with room for the arrow of the sorting
+  private static final int LETTER = 6; // about the width of one
+  private static final Map<String, String> WIDEST =
+      Map.of("shape", "space-partitioning", "seed", "2147483647000", "n", "100000");
+
+  private final transient Consumer<StudyRow> open;
+  private final RowsModel model;
+
+  RowsTable(RowsModel model, Consumer<StudyRow> open) {
+    super(model);
+    this.model = model;
+    this.open = open;
+    setName("rows");
+    getAccessibleContext().setAccessibleName("Rows of the study");
+    setAutoCreateRowSorter(true);
+    setAutoResizeMode(AUTO_RESIZE_OFF);
+    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    setToolTipText("A double-click opens the pictures of a row");
+    listen();
+  }
+
+  /** Makes each column as wide as its head and its widest usual cell. */
+  @Override
+  public void createDefaultColumnsFromModel() {
+    super.createDefaultColumnsFromModel();
+    for (TableColumn column : Collections.list(getColumnModel().getColumns())) {
+      String head = String.valueOf(column.getHeaderValue());
+      String widest = WIDEST.getOrDefault(head, head);
+      column.setPreferredWidth(MARGIN + LETTER * widest.length());
+    }
+  }
+
+  private void listen() {
+    addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent e) {
+            if (e.getClickCount() == 2) {
+              openAt(rowAtPoint(e.getPoint()));
+            }
+          }
+        });
+    getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+        .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), OPEN);
+    getActionMap()
+        .put(
+            OPEN,
+            new AbstractAction() {
+              private static final long serialVersionUID = 1L;
+
+              @Override
+              public void actionPerformed(ActionEvent e) {
+                openAt(getSelectedRow());
+              }
+            });
+  }
+
+  private void openAt(int viewRow) {
+    if (viewRow >= 0) {
+      open.accept(model.row(convertRowIndexToModel(viewRow)));
+    }
+  }
+}

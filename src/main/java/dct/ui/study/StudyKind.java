@@ -1,0 +1,84 @@
+package dct.ui.study;
+
+import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.RandomSites;
+import dct.experiment.study.PointsStudy;
+import dct.experiment.study.PolygonsStudy;
+import dct.experiment.study.Study;
+import dct.experiment.study.StudyPlan;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+
+/** The studies, and what they try unless asked otherwise. */
+public enum StudyKind {
+  /** The thesis's experiment on sites. */
+  POINTS(
+      "Point Sites",
+      "Table 4.4 again: many sets of sites, and how many of them become even",
+      "50-500:50",
+      PointsStudy.SETS,
+      RandomSites.MOST),
+  /** The experiment on polygons. */
+  POLYGONS(
+      "Polygons",
+      "Many random polygons, and how many of their vertices become even",
+      "10,20,50,100,200",
+      20,
+      PolygonShape.MOST);
+
+  private final String title;
+  private final String description;
+  private final String sizes;
+  private final int sets;
+  private final int most;
+
+  StudyKind(String title, String description, String sizes, int sets, int most) {
+    this.title = title;
+    this.description = description;
+    this.sizes = sizes;
+    this.sets = sets;
+    this.most = most;
+  }
+
+  /** Its name in the menu. */
+  public String title() {
+    return title;
+  }
+
+  /** A sentence for the tooltip. */
+  public String description() {
+    return description;
+  }
+
+  /** The words of the shapes that there are. */
+  List<String> shapes() {
+    return switch (this) {
+      case POINTS -> List.of(PointsStudy.UNIFORM);
+      case POLYGONS -> Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
+    };
+  }
+
+  /** The sizes at first, as a user would list them. */
+  String sizes() {
+    return sizes;
+  }
+
+  /** The number of sets at first. */
+  int sets() {
+    return sets;
+  }
+
+  /** The largest size. */
+  int most() {
+    return most;
+  }
+
+  /** The study of this plan. */
+  Study study(StudyPlan plan) {
+    return switch (this) {
+      case POINTS -> new PointsStudy(plan);
+      case POLYGONS -> new PolygonsStudy(plan, Map.of());
+    };
+  }
+}

@@ -1,0 +1,2 @@
+/** The studies in the window: their dialog, which knows no other window. */
+package dct.ui.study;
