@@ -2,7 +2,7 @@ package dct.cli;
 
 import dct.core.geometry.SimplePolygon;
 import dct.experiment.generate.PolygonShape;
-import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.SiteShape;
 import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.SizeList;
@@ -81,9 +81,10 @@ final class StudyParameters {
     if (!fileNames().isEmpty()) {
       throw new UsageException("the study of points takes no files, leave them out");
     }
-    List<String> known = List.of(PointsStudy.UNIFORM);
+    List<String> known = Arrays.stream(SiteShape.values()).map(SiteShape::word).toList();
+    List<String> usual = List.of(PointsStudy.UNIFORM);
     return new PointsStudy(
-        plan(known, known, ThesisTable.sizes(), RandomSites.MOST, PointsStudy.SETS));
+        plan(known, usual, ThesisTable.sizes(), SiteShape.MOST, PointsStudy.SETS));
   }
 
   private Study polygons() throws IOException {

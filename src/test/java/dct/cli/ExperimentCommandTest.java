@@ -61,7 +61,7 @@ class ExperimentCommandTest {
   private static CliRun polygons(Object... more) {
     Object[] all = new Object[more.length + 6];
     System.arraycopy(
-        new Object[] {"experiment", "polygons", "--sizes", "12,40", "--sets", 3}, 0, all, 0, 6);
+        new Object[] {"experiment", "polygons", "--sizes", "12,100", "--sets", 3}, 0, all, 0, 6);
     System.arraycopy(more, 0, all, 6, more.length);
     return CliRun.of(all);
   }
@@ -98,6 +98,23 @@ class ExperimentCommandTest {
         polygons("--quiet", "--chart", chart, "-o", csv, "-o", file).done();
         assertThat(Files.size(file)).as("%s", file).isGreaterThan(5000);
       }
+    }
+  }
+
+  @Test
+  void a_polygon_can_be_made_again_from_its_row() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    CliRun.of("experiment", "polygons", "--sizes", 40, "--sets", 1, "-o", csv).done();
+    List<String> lines = Files.readAllLines(csv);
+    for (String line : lines.subList(1, lines.size())) {
+      String[] cells = line.split(",", -1);
+      String text =
+          CliRun.of("generate", "polygon", "--shape", cells[0], "-n", 40, "--seed", cells[3])
+              .done()
+              .out();
+      String summary =
+          CliRun.withInput(text, "triangulate", "-", "--optimize", "even", "--json").done().out();
+      assertThat(summary).as(line).contains("\"even\": " + cells[12] + ",", "\"optimal\": true");
     }
   }
 
@@ -175,7 +192,8 @@ class ExperimentCommandTest {
     requireUsage("--sizes 9-5:1 has no numbers in it", "points", "--sizes", "9-5:1");
     requireUsage("--sizes 5-9:0 has no numbers in it", "points", "--sizes", "5-9:0");
     requireUsage("--sets 0 is none, use 1 or more", "points", "--sets", "0");
-    requireUsage("--shapes sphere is unknown, use some of uniform", "points", "--shapes", "sphere");
+    requireUsage(
+        "--shapes sphere is unknown, use some of uniform,disk", "points", "--shapes", "sphere");
     requireUsage("--shapes none is unknown", "polygons", "--shapes", "none");
     requireUsage("the study of points takes no files", "points", "a.txt");
     requireUsage(

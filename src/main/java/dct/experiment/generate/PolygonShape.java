@@ -32,7 +32,9 @@ public enum PolygonShape {
   /** The outline of a random tree. */
   SPANNING_TREE("spanning-tree", "Spanning Tree", "the outline of a random spanning tree"),
   /** 2-opt moves from a tour along a Hilbert curve. */
-  TOUR("tour", "Tour", "random points, toured along a Hilbert curve and untangled");
+  TOUR("tour", "Tour", "random points, toured along a Hilbert curve and untangled"),
+  /** Few points, their edges bent into arcs. */
+  BENT_EDGES("bent-edges", "Bent Edges", "few random points, their edges bent out or in");
 
   /** The largest number of vertices that can be asked for. */
   public static final int MOST = 10_000_000;
@@ -104,6 +106,7 @@ public enum PolygonShape {
       case COMB -> Comb.polygon(n, area, random, progress);
       case SPIRAL -> Spiral.polygon(n, area, random, progress);
       case SPANNING_TREE -> SpanningTree.polygon(n, area, random, progress);
+      case BENT_EDGES -> BentEdges.polygon(n, area, random, progress);
       case TOUR -> Untangling.fromHilbertTour(n, area, random, progress);
     };
   }
@@ -137,6 +140,7 @@ public enum PolygonShape {
       case CONVEX -> (double) n * n * n <= shorter * shorter;
       case ORTHOGONAL -> 8L * n <= (long) area.width() * area.height();
       case COMB, SPIRAL -> n <= shorter;
+      case BENT_EDGES -> false; // real coordinates only
       default -> 2L * n <= (long) area.width() * area.height();
     };
   }

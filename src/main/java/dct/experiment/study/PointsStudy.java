@@ -11,7 +11,7 @@ import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
-import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.SiteShape;
 import dct.render.Scene;
 import dct.render.chart.Chart;
 import java.util.LinkedHashMap;
@@ -25,7 +25,7 @@ import java.util.Map;
  */
 public final class PointsStudy implements Study {
   /** The shape of the thesis's sets, as far as it says: random. */
-  public static final String UNIFORM = "uniform";
+  public static final String UNIFORM = SiteShape.UNIFORM.word();
 
   /** The number of sets in the thesis. */
   public static final int SETS = 5;
@@ -99,7 +99,7 @@ public final class PointsStudy implements Study {
   }
 
   private static Sites sites(Trial trial) {
-    return Sites.of(RandomSites.uniform(trial.n(), trial.seed()));
+    return Sites.of(SiteShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed()));
   }
 
   private static Optimum best(Triangulation delaunay, Progress progress) {

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /** The charts of the study of polygons; given polygons are not in them. */
@@ -65,9 +64,8 @@ final class PolygonsCharts {
   }
 
   private Map<Double, List<StudyRow>> bins(ToDoubleFunction<StudyRow> value) {
-    Function<StudyRow, Bin> bin = row -> Bin.of(value.applyAsDouble(row));
     Map<Double, List<StudyRow>> bins = new TreeMap<>();
-    Groups.by(rows, bin).forEach((key, group) -> bins.put(key.middle(), group));
+    Bin.sort(rows, value).forEach((key, group) -> bins.put(key.middle(), group));
     return bins;
   }
 

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /** The tables of the study of polygons. */
@@ -97,8 +96,7 @@ final class PolygonsTables {
 
   private static Table byShare(String what, List<StudyRow> rows, ToDoubleFunction<StudyRow> value) {
     List<List<String>> cells = new ArrayList<>();
-    Function<StudyRow, Bin> bin = row -> Bin.of(value.applyAsDouble(row));
-    for (Map.Entry<Bin, List<StudyRow>> entry : Groups.by(rows, bin).entrySet()) {
+    for (Map.Entry<Bin, List<StudyRow>> entry : Bin.sort(rows, value).entrySet()) {
       List<String> line = new ArrayList<>();
       line.add(entry.getKey().words());
       line.add(String.valueOf(entry.getValue().size()));
@@ -109,7 +107,7 @@ final class PolygonsTables {
         what + ", and the share of even vertices in per cent",
         columns(what, "Polygons"),
         cells,
-        List.of("All shapes and sizes together. " + WORDS));
+        List.of("All shapes together, " + Bin.FEWEST_VERTICES + " vertices or more. " + WORDS));
   }
 
   private static Table files(List<StudyRow> rows) {

@@ -21,6 +21,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 public final class ChartPainter {
   private static final int MARKER = 7;
   private static final float LINE = 2;
+  private static final float HAIR = 0.7f; // width of the grid, without dashes: each would be a path
   private static final int TITLE = 14; // size of letters
   private static final int TEXT = 11;
   private static final int SLANT = 25; // degrees; of the names below bars
@@ -60,6 +61,7 @@ public final class ChartPainter {
             .yAxisTitle(chart.yLabel())
             .build();
     style(made.getStyler());
+    made.getStyler().setDecimalPattern("0.###");
     made.getStyler().setXAxisLogarithmic(isWide());
     for (Chart.Series series : withValues()) {
       XYSeries line =
@@ -112,6 +114,7 @@ public final class ChartPainter {
     styler.setAxisTitleFont(font(Font.PLAIN, TEXT)).setAxisTickLabelsFont(font(Font.PLAIN, TEXT));
     styler.setMarkerSize(MARKER).setPlotBorderVisible(false).setToolTipsEnabled(false);
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
+    styler.setPlotGridLinesStroke(new BasicStroke(HAIR));
     styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));
   }
 

@@ -1,7 +1,7 @@
 package dct.ui.study;
 
 import dct.experiment.generate.PolygonShape;
-import dct.experiment.generate.RandomSites;
+import dct.experiment.generate.SiteShape;
 import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.Study;
@@ -18,7 +18,7 @@ public enum StudyKind {
       "Table 4.4 again: many sets of sites, and how many of them become even",
       "50-500:50",
       PointsStudy.SETS,
-      RandomSites.MOST),
+      SiteShape.MOST),
   /** The experiment on polygons. */
   POLYGONS(
       "Polygons",
@@ -54,9 +54,14 @@ public enum StudyKind {
   /** The words of the shapes that there are. */
   List<String> shapes() {
     return switch (this) {
-      case POINTS -> List.of(PointsStudy.UNIFORM);
+      case POINTS -> Arrays.stream(SiteShape.values()).map(SiteShape::word).toList();
       case POLYGONS -> Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
     };
+  }
+
+  /** The words of the shapes that are chosen at first. */
+  List<String> usualShapes() {
+    return this == POINTS ? List.of(PointsStudy.UNIFORM) : shapes();
   }
 
   /** The sizes at first, as a user would list them. */

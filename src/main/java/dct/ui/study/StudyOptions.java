@@ -33,7 +33,8 @@ final class StudyOptions extends JPanel {
     sets.setText(String.valueOf(kind.sets()));
     shapes = new JList<>(kind.shapes().toArray(new String[0]));
     shapes.setVisibleRowCount(Math.min(MOST_ROWS, kind.shapes().size()));
-    shapes.setSelectionInterval(0, kind.shapes().size() - 1);
+    shapes.setSelectedIndices(
+        kind.usualShapes().stream().mapToInt(kind.shapes()::indexOf).toArray());
     JPanel fields = new JPanel(new GridBagLayout());
     place(fields, 0, "Sizes:", sizes, "Numbers of vertices, as 50,100 or 50-500:50");
     place(fields, 1, "Sets:", sets, "How many of each shape and size");

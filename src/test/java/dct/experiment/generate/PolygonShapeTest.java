@@ -24,7 +24,7 @@ class PolygonShapeTest {
     int made = 0;
     for (int seed = 0; seed < SEEDS; seed++) {
       int n = 3 + seed % 14;
-      Area area = new Area(1 + seed / 14 % 8, 1 + seed / 112 % 7, seed % 10 != 0);
+      Area area = new Area(1 + seed / 14 % 8, 1 + seed / 112 % 7, seed % 5 != 0);
       try {
         check(shape.generate(n, area, seed, Progress.NONE), n, area, shape + ", seed " + seed);
         made++;
@@ -162,9 +162,23 @@ class PolygonShapeTest {
   @ParameterizedTest
   @EnumSource(
       mode = Mode.EXCLUDE,
-      names = {"TWO_OPT", "STEADY_GROWTH"})
+      names = {"TWO_OPT", "STEADY_GROWTH", "BENT_EDGES"})
   void large_polygons_are_simple(PolygonShape shape) {
     assertThat(shape.generate(20_000, 3).size()).isEqualTo(20_000);
+  }
+
+  @Test
+  void bent_edges_give_any_share_of_reflex_vertices() {
+    int[] polygons = new int[10]; // by the tenth of the share
+    for (int seed = 0; seed < 200; seed++) {
+      SimplePolygon polygon = PolygonShape.BENT_EDGES.generate(60, seed);
+      int reflex = 0;
+      for (int v = 0; v < 60; v++) {
+        reflex += polygon.points().orient((v + 59) % 60, v, (v + 1) % 60) < 0 ? 1 : 0;
+      }
+      polygons[reflex / 6]++;
+    }
+    assertThat(polygons).as(java.util.Arrays.toString(polygons)).doesNotContain(0);
   }
 
   @Test
@@ -176,6 +190,7 @@ class PolygonShapeTest {
     assertRefused(PolygonShape.CONVEX, 60, new Area(9, 9, true), "no strictly convex polygon");
     assertRefused(PolygonShape.ORTHOGONAL, 7, Area.CANVAS, "even number");
     assertRefused(PolygonShape.ORTHOGONAL, 90, new Area(5, 5, true), "no orthogonal polygon");
+    assertRefused(PolygonShape.BENT_EDGES, 9, Area.CANVAS, "need real coordinates");
     assertRefused(PolygonShape.COMB, 60, new Area(9, 9, true), "a comb of 60 vertices needs 58");
     assertRefused(PolygonShape.SPIRAL, 60, new Area(9, 9, true), "needs 31 places a side");
     assertRefused(PolygonShape.SPANNING_TREE, 90, new Area(9, 9, true), "23 rooms");

@@ -90,7 +90,12 @@ class ChartFileTest {
               .newDocumentBuilder()
               .parse(new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
       assertThat(document.getElementsByTagName("path").getLength()).isPositive();
-      chart.series().forEach(s -> assertThat(text).contains("#%06x".formatted(s.look().rgb())));
+      for (Series series : chart.series()) {
+        assertThat(text.contains("#%06x".formatted(series.look().rgb())))
+            .as("%s in %s", series.look(), chart.word())
+            .isEqualTo(!series.y().isEmpty());
+      }
+      assertThat(text.length()).as("characters").isLessThan(100_000);
       assertThat(Files.readString(write(chart, ".svg"))).isEqualTo(text);
     }
   }
