@@ -48,7 +48,12 @@ final class StudyWork implements StudyHost {
     Window beside = owner;
     for (StudyPicture picture : pictures) {
       ResultFrame frame =
-          new ResultFrame(picture.method(), name, picture.scene(), owner.canvas().labels());
+          new ResultFrame(
+              picture.method(),
+              name,
+              picture.scene(),
+              owner.canvas().labels(),
+              owner.workbench().jobs());
       Placement.beside(frame, beside, owner, frames.size());
       frames.add(frame);
       frame.setVisible(true);
