@@ -1,7 +1,6 @@
 package dct.core.dcel;
 
 import java.util.Arrays;
-import java.util.BitSet;
 
 /**
  * A doubly connected edge list: the topology of a plane subdivision, without coordinates (Muller
@@ -448,28 +447,6 @@ public final class Dcel {
     detach(b, bc);
     degree[c]++;
     degree[d]++;
-  }
-
-  /**
-   * This subdivision without some of its inner edges, whose numbers its last edges take; linear.
-   *
-   * @param removed numbers of edges that do not border the outer face; what is left must be
-   *     connected
-   */
-  public Dcel without(BitSet removed) {
-    int[] n = Arrays.copyOf(next, 2 * edgeBound());
-    int[] p = Arrays.copyOf(prev, 2 * edgeBound());
-    for (int edge = removed.nextSetBit(0); edge >= 0; edge = removed.nextSetBit(edge + 1)) {
-      int e = 2 * edge;
-      int t = e + 1;
-      n[p[e]] = n[t];
-      p[n[t]] = p[e];
-      n[p[t]] = n[e];
-      p[n[e]] = p[t];
-      n[e] = NONE;
-      n[t] = NONE;
-    }
-    return of(vertexCount(), n, p, Arrays.copyOf(origin, n.length), faceEdge[OUTER]);
   }
 
   private void link(int e, int following) {

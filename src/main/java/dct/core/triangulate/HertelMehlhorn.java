@@ -3,7 +3,6 @@ package dct.core.triangulate;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
-import java.util.BitSet;
 
 /**
  * Cuts a simple polygon into convex pieces: removes from a triangulation the diagonals that no
@@ -20,19 +19,20 @@ import java.util.BitSet;
  */
 public final class HertelMehlhorn {
   private final Points points;
-  private final Dcel dcel;
-  private final int[] following; // of the half-edges kept: the next one counter-clockwise at origin
-  private final int[] preceding; // the next one clockwise
-  private final BitSet removed = new BitSet();
+  private final int[] next; // as in Dcel; NONE where the diagonal was removed
+  private final int[] prev;
+  private final int[] origin;
 
   private HertelMehlhorn(Triangulation triangulation) {
     points = triangulation.points();
-    dcel = triangulation.dcel();
-    following = new int[2 * dcel.edgeCount()];
-    preceding = new int[2 * dcel.edgeCount()];
-    for (int e = 0; e < following.length; e++) {
-      following[e] = dcel.rotate(e);
-      preceding[e] = dcel.rotateBack(e);
+    Dcel dcel = triangulation.dcel();
+    next = new int[2 * dcel.edgeCount()];
+    prev = new int[next.length];
+    origin = new int[next.length];
+    for (int e = 0; e < next.length; e++) {
+      next[e] = dcel.next(e);
+      prev[e] = dcel.prev(e);
+      origin[e] = dcel.origin(e);
     }
   }
 
@@ -44,7 +44,8 @@ public final class HertelMehlhorn {
         run.remove(2 * edge);
       }
     }
-    return new Partition(polygon, run.dcel.without(run.removed));
+    int outer = triangulation.dcel().faceEdge(Dcel.OUTER);
+    return new Partition(polygon, Dcel.of(polygon.size(), run.next, run.prev, run.origin, outer));
   }
 
   private boolean isInessential(int e) {
@@ -53,20 +54,22 @@ public final class HertelMehlhorn {
 
   /** Whether the angle at the origin of e between its neighbours is less than 180°. */
   private boolean opensConvex(int e) {
-    int v = dcel.origin(e);
-    int clockwise = dcel.target(preceding[e]);
-    int counterClockwise = dcel.target(following[e]);
-    return points.orient(clockwise, v, counterClockwise) < 0;
+    int clockwise = origin[next[e ^ 1] ^ 1];
+    int counterClockwise = origin[prev[e]];
+    return points.orient(clockwise, origin[e], counterClockwise) < 0;
   }
 
+  /** Joins the two faces of e without a label for them: they are found at the end. */
   private void remove(int e) {
-    removed.set(e >> 1);
-    unlink(e);
-    unlink(e ^ 1);
+    int t = e ^ 1;
+    link(prev[e], next[t]);
+    link(prev[t], next[e]);
+    next[e] = Dcel.NONE;
+    next[t] = Dcel.NONE;
   }
 
-  private void unlink(int e) {
-    following[preceding[e]] = following[e];
-    preceding[following[e]] = preceding[e];
+  private void link(int e, int following) {
+    next[e] = following;
+    prev[following] = e;
   }
 }

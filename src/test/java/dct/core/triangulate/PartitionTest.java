@@ -11,7 +11,6 @@ import dct.testing.FewestConvexPieces;
 import dct.testing.PartitionAssert;
 import dct.testing.RandomPolygons;
 import dct.testing.RandomPolygons.Family;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Random;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
@@ -62,9 +61,9 @@ class PartitionTest {
   }
 
   private static Partition without(Partition partition, int edge) {
-    BitSet one = new BitSet();
-    one.set(edge);
-    return new Partition(partition.polygon(), partition.dcel().without(one));
+    Dcel joined = partition.dcel().copy();
+    joined.joinFaces(2 * edge);
+    return new Partition(partition.polygon(), joined);
   }
 
   private static void refusesConvexity(Partition partition, String what) {
