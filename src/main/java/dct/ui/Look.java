@@ -3,8 +3,7 @@ package dct.ui;
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
-import java.awt.Insets;
-import javax.swing.UIManager;
+import java.util.Map;
 
 /** The look and feel of all windows. */
 public final class Look {
@@ -13,11 +12,14 @@ public final class Look {
 
   /** Sets the light look; to be called before the first window is made. */
   public static void setUp() {
-    UIManager.put("Component.arc", 8);
-    UIManager.put("Button.arc", 8);
-    UIManager.put("Button.margin", new Insets(5, 6, 5, 6));
-    UIManager.put("ScrollBar.width", 12);
-    UIManager.put("TitlePane.unifiedBackground", false);
+    // Not by UIManager.put, which would set up the platform's own look first.
+    FlatLaf.setGlobalExtraDefaults(
+        Map.of(
+            "Component.arc", "8",
+            "Button.arc", "8",
+            "Button.margin", "5,6,5,6",
+            "ScrollBar.width", "12",
+            "TitlePane.unifiedBackground", "false"));
     FlatLightLaf.setup();
   }
 

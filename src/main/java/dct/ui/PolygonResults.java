@@ -2,10 +2,12 @@ package dct.ui;
 
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
+import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
+import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
@@ -29,8 +31,23 @@ final class PolygonResults {
   private PolygonMethod method = PolygonMethod.MONOTONE;
   private Latest latest; // null before the first
 
-  /** A triangulation, of which document, and where it is shown. */
-  private record Latest(Document document, Triangulation triangulation, JFrame frame) {}
+  /** A triangulation, of which points, and where it is shown. */
+  private record Latest(Points points, Triangulation triangulation, JFrame frame) {}
+
+  /** A triangulation and its picture, both made in the background. */
+  private record Result(Triangulation triangulation, Scene scene) {
+    static Result of(Triangulation triangulation) {
+      return new Result(triangulation, Scene.of(triangulation));
+    }
+
+    static Result of(FlipResult flips) {
+      return new Result(flips.after(), Scene.of(flips));
+    }
+
+    static Result of(Optimum best) {
+      return new Result(best.triangulation(), Scene.of(best));
+    }
+  }
 
   PolygonResults(Workbench workbench, MainWindow owner) {
     this.workbench = workbench;
@@ -43,8 +60,8 @@ final class PolygonResults {
     Document document = document();
     submit(
         chosen.title(),
-        progress -> triangulation(document, chosen, progress),
-        result -> show(document, result, Scene.of(result), chosen.title(), owner));
+        progress -> Result.of(triangulation(document, chosen, progress)),
+        result -> show(document, result, chosen.title(), owner));
   }
 
   /**
@@ -53,14 +70,21 @@ final class PolygonResults {
    */
   void flip() {
     Document document = document();
-    boolean current = latest != null && latest.document.equals(document);
+    boolean current = latest != null && latest.points.equals(document.points());
     Latest from = current ? latest : null;
     PolygonMethod by = method;
     submit(
         "Perform Flip",
         progress ->
-            ScanFlip.run(from == null ? triangulation(document, by, progress) : from.triangulation),
-        result -> showFlips(document, result, from == null ? owner : from.frame));
+            Result.of(
+                ScanFlip.run(
+                    from == null ? triangulation(document, by, progress) : from.triangulation)),
+        result ->
+            show(
+                document,
+                result,
+                "Perform Flip after " + by.title(),
+                from == null ? owner : from.frame));
   }
 
   /**
@@ -77,12 +101,13 @@ final class PolygonResults {
         .submitSearch(
             what,
             progress ->
-                BestTriangulation.of(
-                    SimplePolygon.of(document.points()),
-                    goal.apply(document.size()),
-                    SearchLimits.DEFAULT,
-                    progress),
-            best -> show(document, best.triangulation(), Scene.of(best), what, owner));
+                Result.of(
+                    BestTriangulation.of(
+                        SimplePolygon.of(document.points()),
+                        goal.apply(document.size()),
+                        SearchLimits.DEFAULT,
+                        progress)),
+            best -> show(document, best, what, owner));
   }
 
   private Document document() {
@@ -99,22 +124,17 @@ final class PolygonResults {
     workbench.jobs().submit(what, work, done);
   }
 
-  private void showFlips(Document document, FlipResult result, JFrame beside) {
-    String title = "Perform Flip after " + method.title();
-    show(document, result.after(), Scene.of(result), title, beside);
-  }
-
-  private void show(
-      Document document, Triangulation result, Scene scene, String title, JFrame beside) {
+  private void show(Document document, Result result, String title, JFrame beside) {
     Editor editor = workbench.editor(Domain.POLYGON);
     ResultFrame frame =
-        new ResultFrame(title, editor.name(), scene, owner.canvas().labels(), workbench.jobs());
+        new ResultFrame(
+            title, editor.name(), result.scene, owner.canvas().labels(), workbench.jobs());
     Placement.beside(frame, beside, owner, frames.size());
     if (beside != owner) {
       beside.toFront(); // so that old and new can be compared
     }
     frames.add(frame);
-    latest = new Latest(document, result, frame);
+    latest = new Latest(document.points(), result.triangulation, frame);
     frame.setVisible(true);
   }
 

@@ -4,6 +4,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
+import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
@@ -83,15 +84,22 @@ final class SitesWork {
 
   /** Asks for a number and puts so many random sites in place of those there are. */
   void random() {
-    OptionalInt n = askNumber();
-    if (n.isPresent()) {
-      Editor editor = workbench.editor(Domain.SITES);
-      seed++;
-      editor.perform(
-          Edit.replace(TITLE, editor.document(), RandomSites.uniform(n.getAsInt(), seed)));
-      shown.run();
-      workbench.say(n.getAsInt() + " random sites, seed " + seed);
-    }
+    askNumber().ifPresent(this::random);
+  }
+
+  private void random(int n) {
+    seed++;
+    int chosen = seed;
+    workbench
+        .jobs()
+        .submit(TITLE, progress -> RandomSites.uniform(n, chosen), sites -> show(sites, chosen));
+  }
+
+  private void show(Points sites, int chosen) {
+    Editor editor = workbench.editor(Domain.SITES);
+    editor.perform(Edit.replace(TITLE, editor.document(), sites));
+    shown.run();
+    workbench.say(sites.size() + " random sites, seed " + chosen);
   }
 
   private OptionalInt askNumber() {

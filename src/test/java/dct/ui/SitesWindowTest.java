@@ -16,6 +16,8 @@ import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.render.Ink;
+import dct.ui.canvas.CanvasPanel;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
@@ -171,6 +173,43 @@ class SitesWindowTest extends WindowTest {
     }
     type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
     assertThat(points().size()).isZero();
+  }
+
+  @Test
+  void manySitesAreDrawnAndFollowADragAndTheWheel() {
+    choose("Point Sites Based");
+    frame.button("Random Sites").click();
+    fill(dialog().textBox(), "5000");
+    answer(dialog(), "OK");
+    await("the sites", () -> points().size() == 5000);
+    settle();
+    check("Edit Vertex");
+    Points before = points();
+    Point wheel = at(canvas(), before.x(0), before.y(0));
+    onEventThread(
+        () -> {
+          canvas().zoom(20, wheel.x, wheel.y);
+          return null;
+        });
+    requireShownNear(canvas(), delaunay(before), before.x(0), before.y(0));
+    press(before.x(0), before.y(0));
+    moveTo(before.x(0) + 6, before.y(0) + 5);
+    Points moved = before.moved(0, before.x(0) + 6, before.y(0) + 5);
+    requireShownNear(canvas(), delaunay(moved), moved.x(0), moved.y(0));
+    release();
+    assertThat(points()).isEqualTo(moved);
+    requireShownNear(canvas(), delaunay(moved), moved.x(0), moved.y(0));
+  }
+
+  /** The vertices within eight units have their colours. */
+  private void requireShownNear(
+      CanvasPanel canvas, Triangulation triangulation, double x, double y) {
+    Points sites = triangulation.points();
+    for (int v = 0; v < sites.size(); v++) {
+      if (Math.hypot(sites.x(v) - x, sites.y(v) - y) < 8) {
+        requireInk(canvas, triangulation.isEven(v) ? Ink.EVEN : Ink.ODD, sites.x(v), sites.y(v));
+      }
+    }
   }
 
   @Test
