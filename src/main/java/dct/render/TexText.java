@@ -1,10 +1,11 @@
 package dct.render;
 
 /** Text as TeX wants it: its special characters escaped, signs that its fonts lack as commands. */
-final class TexText {
+public final class TexText {
   private TexText() {}
 
-  static String of(String text) {
+  /** The text, escaped. */
+  public static String of(String text) {
     StringBuilder tex = new StringBuilder();
     text.codePoints().forEach(c -> append(tex, c));
     return tex.toString();
@@ -17,6 +18,7 @@ final class TexText {
       case '~' -> tex.append("\\textasciitilde{}");
       case '^' -> tex.append("\\textasciicircum{}");
       case '·' -> tex.append("$\\cdot$");
+      case '±' -> tex.append("$\\pm$");
       case '≡' -> tex.append("$\\equiv$");
       case '→' -> tex.append("$\\to$");
       case '−' -> tex.append("$-$");

@@ -1,7 +1,7 @@
 package dct.experiment.study;
 
+import dct.render.TexText;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -10,22 +10,6 @@ import java.util.stream.IntStream;
  * which fits them to the width of the text.
  */
 public final class LatexText {
-  private static final Map<Character, String> ESCAPES =
-      Map.ofEntries(
-          Map.entry('\\', "\\textbackslash{}"),
-          Map.entry('{', "\\{"),
-          Map.entry('}', "\\}"),
-          Map.entry('$', "\\$"),
-          Map.entry('&', "\\&"),
-          Map.entry('#', "\\#"),
-          Map.entry('%', "\\%"),
-          Map.entry('_', "\\_"),
-          Map.entry('^', "\\textasciicircum{}"),
-          Map.entry('~', "\\textasciitilde{}"),
-          Map.entry('±', "$\\pm$"),
-          Map.entry('−', "$-$"),
-          Map.entry('–', "--"));
-
   private LatexText() {}
 
   /** The tables that have rows, one after the other. */
@@ -54,16 +38,10 @@ public final class LatexText {
 
   private static String caption(Table table) {
     String notes = table.notes().stream().map(note -> " " + note).collect(Collectors.joining());
-    return escaped(table.title() + "." + notes);
+    return TexText.of(table.title() + "." + notes);
   }
 
   private static String row(List<String> cells) {
-    return cells.stream().map(LatexText::escaped).collect(Collectors.joining(" & ", "", " \\\\\n"));
-  }
-
-  private static String escaped(String text) {
-    return text.chars()
-        .mapToObj(c -> ESCAPES.getOrDefault((char) c, String.valueOf((char) c)))
-        .collect(Collectors.joining());
+    return cells.stream().map(TexText::of).collect(Collectors.joining(" & ", "", " \\\\\n"));
   }
 }
