@@ -6,6 +6,7 @@ import java.awt.Shape;
 import java.awt.geom.PathIterator;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.StringJoiner;
 
 /** Writes what is drawn as an SVG 1.1 document: a path for each shape, letters too. */
 final class SvgGraphics extends ShapeGraphics {
@@ -47,14 +48,19 @@ final class SvgGraphics extends ShapeGraphics {
     out.append("<path fill=\"none\" stroke=\"").append(hex(paint)).append('"');
     opacity("stroke", paint);
     out.append(" stroke-width=\"").append(number(pen.getLineWidth())).append('"');
-    if (pen.getDashArray() != null) {
-      out.append(" stroke-dasharray=\"");
-      for (float dash : pen.getDashArray()) {
-        out.append(number(dash)).append(' ');
-      }
-      out.append('"');
-    }
+    dashes(pen.getDashArray());
     end(shape, path(shape), within);
+  }
+
+  /** Writes what is drawn and what is left out in turn; without gaps the line is not dashed. */
+  private void dashes(float[] dashes) {
+    if (dashes != null && dashes.length > 1 && dashes[1] > 0) {
+      StringJoiner lengths = new StringJoiner(" ");
+      for (float dash : dashes) {
+        lengths.add(number(dash));
+      }
+      out.append(" stroke-dasharray=\"").append(lengths).append('"');
+    }
   }
 
   private void opacity(String what, Color paint) {

@@ -43,7 +43,14 @@ class SvgGraphicsTest {
     graphics.drawLine(0, 0, 4, 4);
     assertThat(graphics.finish())
         .contains(
-            "fill=\"none\" stroke=\"#000000\" stroke-width=\"1.5\" stroke-dasharray=\"3 1 \"");
+            "fill=\"none\" stroke=\"#000000\" stroke-width=\"1.5\" stroke-dasharray=\"3 1\"");
+  }
+
+  @Test
+  void dashes_without_gaps_are_a_line() {
+    graphics.setStroke(new BasicStroke(1, 0, 0, 1, new float[] {3, 0}, 0));
+    graphics.drawLine(0, 0, 4, 4);
+    assertThat(graphics.finish()).doesNotContain("dash");
   }
 
   @Test
