@@ -42,8 +42,7 @@ class SvgGraphicsTest {
     graphics.setStroke(new BasicStroke(1.5f, 0, 0, 1, new float[] {3, 1}, 0));
     graphics.drawLine(0, 0, 4, 4);
     assertThat(graphics.finish())
-        .contains(
-            "fill=\"none\" stroke=\"#000000\" stroke-width=\"1.5\" stroke-dasharray=\"3 1\"");
+        .contains("fill=\"none\" stroke=\"#000000\" stroke-width=\"1.5\" stroke-dasharray=\"3 1\"");
   }
 
   @Test
