@@ -17,7 +17,6 @@ final class MeshRegion {
   private final SearchMesh mesh;
   private final SearchRandom random;
   private final RegionTable table;
-  private final RegionSampler sampler;
   private final int lo;
   private final int hi;
   private final int[] ring; // the vertices, counter-clockwise
@@ -27,7 +26,6 @@ final class MeshRegion {
   private final double[] py;
   private int size;
   private int before; // how many of the vertices were unsatisfied when they were taken
-  private boolean drawing; // the triangulation, and not the best one
   private int filled; // how many triangles are written
 
   MeshRegion(SearchMesh mesh, SearchRandom random, int most, int lo, int hi) {
@@ -36,7 +34,6 @@ final class MeshRegion {
     this.lo = lo;
     this.hi = hi;
     table = new RegionTable(mesh, most);
-    sampler = new RegionSampler(mesh, random, most);
     ring = new int[most];
     outer = new int[most];
     slot = new int[most];
@@ -177,32 +174,6 @@ final class MeshRegion {
     return replace(noiseBits);
   }
 
-  /**
-   * Closes the region with a triangulation drawn at random, each in proportion to the product of a
-   * factor for each of its unsatisfied vertices.
-   *
-   * @param inside the factor of one inside the hull
-   * @param onHull the factor of one on the hull
-   * @return by how much the number of unsatisfied vertices grew
-   */
-  int fillAtRandom(double inside, double onHull) {
-    for (int i = 0; i < size; i++) {
-      double factor = factor(ring[i], inside, onHull);
-      boolean isWrong = mesh.wrong[ring[i]] != 0;
-      sampler.even[i] = isWrong ? factor : 1;
-      sampler.odd[i] = isWrong ? 1 : factor;
-    }
-    locate();
-    return rewrite(true, sampler.draw(px, py, size));
-  }
-
-  private double factor(int v, double inside, double onHull) {
-    if (mesh.weight[v] == 0) {
-      return 1;
-    }
-    return mesh.hull[v] ? onHull : inside;
-  }
-
   private void setCost(int i, int cost) {
     boolean isWrong = mesh.wrong[ring[i]] != 0;
     table.even[i] = isWrong ? cost : 0;
@@ -212,7 +183,9 @@ final class MeshRegion {
   private int replace(int noiseBits) {
     locate();
     table.solve(px, py, size, noiseBits, random.nextInt());
-    return rewrite(false, table.ends());
+    filled = 0;
+    mesh.link(write(0, size - 1, table.ends()), outer[size - 1]);
+    return unsatisfied() - before;
   }
 
   private void locate() {
@@ -222,19 +195,12 @@ final class MeshRegion {
     }
   }
 
-  private int rewrite(boolean atRandom, int ends) {
-    drawing = atRandom;
-    filled = 0;
-    mesh.link(write(0, size - 1, ends), outer[size - 1]);
-    return unsatisfied() - before;
-  }
-
   /** Writes the triangles on chord (i, j); returns the half-edge from j to i on its near side. */
   private int write(int i, int j, int ends) {
     if (j == i + 1) {
       return outer[i];
     }
-    int found = drawing ? sampler.drawApex(px, py, i, j, ends) : table.apex(px, py, i, j, ends);
+    int found = table.apex(px, py, i, j, ends);
     int k = found >> 4;
     int t = slot[filled++];
     setCorner(t, ring[i]);

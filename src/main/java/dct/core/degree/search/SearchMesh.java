@@ -159,6 +159,31 @@ final class SearchMesh {
     return e;
   }
 
+  /** Makes a list of half-edges, one for each edge at v. */
+  void collectEdges(int v, VertexList edges) {
+    edges.clear();
+    int first = clockwiseMost(v);
+    int e = first;
+    int last;
+    do {
+      edges.add(e);
+      last = prev(e);
+      e = twin[last];
+    } while (e != NONE && e != first);
+    if (e == NONE) {
+      edges.add(last);
+    }
+  }
+
+  /** A half-edge from v: on the hull the one with no triangle on its right. */
+  private int clockwiseMost(int v) {
+    int e = out[v];
+    while (twin[e] != NONE && next(twin[e]) != out[v]) {
+      e = next(twin[e]);
+    }
+    return e;
+  }
+
   /**
    * A vertex from lo to hi − 1, other than v, of which nothing is wished: the nearer of the two
    * that come before and after v along the curve, or NONE.

@@ -26,10 +26,9 @@ import java.util.stream.IntStream;
  * left is paired over the whole.
  *
  * <p>Where that stops short of the bound, as it does for sites in regular patterns and on long
- * straight sides of the hull, regions are drawn at random instead of solved, again and again, by a
- * few searches with different schedules ({@link AnnealedTeam}). Rectangles of two triangles have
- * their diagonals aligned beforehand, which solves full lattices at once ({@link
- * RectangleDiagonals}).
+ * straight sides of the hull, larger parts with vertices inside, up to whole strips along a side,
+ * are solved anew by a beam search ({@link StripSearch}). Rectangles of two triangles have their
+ * diagonals aligned beforehand, which solves full lattices at once ({@link RectangleDiagonals}).
  *
  * <p>Each step costs the same however many sites there are; on random sites about O(n) steps are
  * taken, and the bound is attained. Space O(n). The same triangulation, goal, seed and effort give
@@ -136,15 +135,7 @@ public final class SiteOptimizer {
     clock.report(0.8, whole.unsatisfied());
     whole.pairUp(bound.value(), PATIENCE);
     if (whole.unsatisfied() > bound.value()) {
-      anneal();
+      new StripSearch(mesh, clock, limits.seed()).run(bound.value(), limits.effort());
     }
-  }
-
-  private void anneal() {
-    passes++;
-    AnnealedTeam team =
-        new AnnealedTeam(mesh, clock, i -> SearchRandom.of(limits.seed(), passes, i));
-    team.run(bound.value(), limits.effort());
-    mesh.set(team.best());
   }
 }

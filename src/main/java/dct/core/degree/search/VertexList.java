@@ -1,8 +1,9 @@
 package dct.core.degree.search;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
-/** A growing list of vertices, reused from round to round. */
+/** A growing list of vertices, or of half-edges, reused from round to round. */
 final class VertexList {
   private int[] items = new int[64];
   private int size;
@@ -15,6 +16,14 @@ final class VertexList {
     return items[i];
   }
 
+  int last() {
+    return items[size - 1];
+  }
+
+  int removeLast() {
+    return items[--size];
+  }
+
   void clear() {
     size = 0;
   }
@@ -24,6 +33,11 @@ final class VertexList {
       items = Arrays.copyOf(items, 2 * size);
     }
     items[size++] = v;
+  }
+
+  /** The items in order. */
+  IntStream stream() {
+    return Arrays.stream(items, 0, size);
   }
 
   void addAll(VertexList that) {

@@ -1,0 +1,148 @@
+package dct.core.degree.search;
+
+import static java.util.Comparator.comparingInt;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Solves strips of a {@link SearchMesh} anew by beam search, one after the other, for sites in
+ * regular patterns and on long straight sides of the hull, where plain descent stops early.
+ *
+ * <p>The axis of a strip runs by an unsatisfied vertex, or near one, in one of four directions; its
+ * length and width are random, from a few triangles to the whole side of the hull. What the beam
+ * finds is taken if it has no more unsatisfied vertices than the strip had; so those wander from
+ * strip to strip until some meet and vanish, and their number never grows. A few strips are solved
+ * side by side; of those that have a vertex in common only one is taken, the one that gained most.
+ * Neither threads nor time make a difference to the result.
+ */
+final class StripSearch {
+  private static final int AT_ONCE = 4;
+  private static final int WIDTH = 100; // of the beam
+  private static final int TRIES = 5; // to cut a strip
+  private static final int AWAY = 4; // fewer steps than this from an unsatisfied vertex
+  private static final int SHORTEST = 4; // edges of an axis
+  private static final int LONGEST = 300;
+  private static final int LAYERS = 100; // at most on each side of the axis
+  private static final int PATIENCE = 1000; // rounds that have not helped
+
+  private final SearchMesh mesh;
+  private final SearchClock clock;
+  private final long seed;
+  private final List<Attempt> attempts;
+  private int[] open; // the unsatisfied vertices
+
+  StripSearch(SearchMesh mesh, SearchClock clock, long seed) {
+    this.mesh = mesh;
+    this.clock = clock;
+    this.seed = seed;
+    attempts = Stream.generate(Attempt::new).limit(AT_ONCE).toList();
+    collect();
+  }
+
+  private void collect() {
+    open = IntStream.range(0, mesh.size()).filter(mesh::isUnsatisfied).toArray();
+  }
+
+  /** How many vertices are unsatisfied. */
+  int unsatisfied() {
+    return open.length;
+  }
+
+  /**
+   * Searches until no more than {@code enough} are unsatisfied or as many rounds in a row have not
+   * helped as the effort allows.
+   */
+  void run(int enough, double effort) {
+    double patience = PATIENCE * effort;
+    int idle = 0;
+    for (int round = 0; open.length > enough && idle < patience && !clock.isOver(); round++) {
+      int before = open.length;
+      round(round);
+      idle = open.length < before ? 0 : idle + 1;
+      clock.report(0.85 + 0.15 * idle / patience, open.length);
+    }
+  }
+
+  private void round(int round) {
+    IntStream.range(0, AT_ONCE)
+        .parallel()
+        .forEach(i -> attempts.get(i).solve(open, SearchRandom.of(seed, round, i)));
+    List<Attempt> taken = new ArrayList<>();
+    for (Attempt attempt : bestFirst()) {
+      if (attempt.isSolved() && taken.stream().noneMatch(attempt::overlaps)) {
+        attempt.take();
+        taken.add(attempt);
+      }
+    }
+    collect();
+  }
+
+  private List<Attempt> bestFirst() {
+    return attempts.stream().sorted(comparingInt(Attempt::gain).reversed()).toList();
+  }
+
+  /** One strip, cut and solved while the mesh stays as it is. */
+  private final class Attempt {
+    private final Strip strip = new Strip(mesh);
+    private int[] moves = {};
+    private int gain;
+
+    void solve(int[] unsatisfied, SearchRandom random) {
+      cut(unsatisfied, random);
+      SweepBeam beam = new SweepBeam(strip, WIDTH, random);
+      moves = beam.search(strip.unsatisfied(), clock);
+      gain = strip.unsatisfied() - beam.unsatisfied();
+    }
+
+    /** Cuts a strip, if possible with two or more unsatisfied vertices, which could meet. */
+    private void cut(int[] centres, SearchRandom random) {
+      int tries = TRIES;
+      do {
+        strip.cut(near(centres[random.below(centres.length)], random), shape(random), random);
+        tries--;
+      } while (tries > 0 && strip.unsatisfied() < 2);
+    }
+
+    private int near(int v, SearchRandom random) {
+      int u = v;
+      for (int r = random.below(AWAY); r > 0; r--) {
+        u = mesh.corner[SearchMesh.next(mesh.halfEdgeAt(u, random))];
+      }
+      return u;
+    }
+
+    private Strip.Shape shape(SearchRandom random) {
+      int turn = random.below(StripOrder.TURNS);
+      int length = logUniform(SHORTEST, LONGEST, random);
+      int left = random.below(length + 1);
+      int down = logUniform(1, LAYERS, random);
+      int up = logUniform(1, LAYERS, random);
+      return new Strip.Shape(turn, left, length - left, down, up);
+    }
+
+    /** Every order of magnitude as often as the others. */
+    private int logUniform(int least, int most, SearchRandom random) {
+      return (int) (least * Math.pow((double) most / least, random.fraction()));
+    }
+
+    boolean isSolved() {
+      return moves.length > 0;
+    }
+
+    int gain() {
+      return gain;
+    }
+
+    boolean overlaps(Attempt that) {
+      return Arrays.stream(strip.vertices()).anyMatch(that.strip::contains);
+    }
+
+    void take() {
+      strip.fill(moves);
+    }
+  }
+}
