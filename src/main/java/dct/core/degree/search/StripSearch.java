@@ -27,7 +27,7 @@ final class StripSearch {
   private static final int SHORTEST = 4; // edges of an axis
   private static final int LONGEST = 300;
   private static final int LAYERS = 100; // at most on each side of the axis
-  private static final int PATIENCE = 1000; // rounds that have not helped
+  private static final int PATIENCE = 1_500_000; // vertices of strips that have not helped
 
   private final SearchMesh mesh;
   private final SearchClock clock;
@@ -53,17 +53,17 @@ final class StripSearch {
   }
 
   /**
-   * Searches until no more than {@code enough} are unsatisfied or as many rounds in a row have not
+   * Searches until no more than {@code enough} are unsatisfied, or as much work on end has not
    * helped as the effort allows.
    */
   void run(int enough, double effort) {
     double patience = PATIENCE * effort;
-    int idle = 0;
+    int idle = 0; // vertices solved since it last helped
     for (int round = 0; open.length > enough && idle < patience && !clock.isOver(); round++) {
       int before = open.length;
       round(round);
-      idle = open.length < before ? 0 : idle + 1;
-      clock.report(0.85 + 0.15 * idle / patience, open.length);
+      idle = open.length < before ? 0 : idle + attempts.stream().mapToInt(Attempt::size).sum();
+      clock.report(0.85 + 0.15 * Math.min(1, idle / patience), open.length);
     }
   }
 
@@ -127,6 +127,10 @@ final class StripSearch {
     /** Every order of magnitude as often as the others. */
     private int logUniform(int least, int most, SearchRandom random) {
       return (int) (least * Math.pow((double) most / least, random.fraction()));
+    }
+
+    int size() {
+      return strip.size();
     }
 
     boolean isSolved() {
