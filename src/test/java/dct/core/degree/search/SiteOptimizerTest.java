@@ -199,7 +199,8 @@ class SiteOptimizerTest {
     Triangulation start = delaunay(sites);
     ParityGoal goal = ParityGoal.allEven(sites.size());
     LowerBound weak = new LowerBound(goal.unsatisfied(start), "as it is");
-    Optimum best = SiteOptimizer.optimize(start, goal, weak, SearchLimits.DEFAULT, Progress.NONE);
+    SearchLimits few = new SearchLimits(1, 0.01, Double.POSITIVE_INFINITY);
+    Optimum best = SiteOptimizer.optimize(start, goal, weak, few, Progress.NONE);
     assertThat(best.triangulation()).isSameAs(start);
     assertThat(best.isProven()).isTrue();
   }
