@@ -12,7 +12,7 @@ import java.util.concurrent.RecursiveAction;
  */
 final class KdOrder {
   static final int LEAF = 8; // parts of so many sites or fewer are not cut
-  private static final int PARALLEL = 1 << 13; // parts of at least this size are cut in parallel
+  private static final int PARALLEL = 1 << 10; // parts of at least this size are cut in parallel
 
   final double[] x; // coordinates in kd-order
   final double[] y;
