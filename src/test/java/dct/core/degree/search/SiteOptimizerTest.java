@@ -49,7 +49,7 @@ class SiteOptimizerTest {
   private static Optimum optimize(Sites sites, ParityGoal goal, LowerBound bound) {
     Optimum best =
         SiteOptimizer.optimize(
-            delaunay(sites), goal, bound, new SearchLimits(1, 0.01, 60), Progress.NONE);
+            delaunay(sites), goal, bound, new SearchLimits(1, 0.002, 60), Progress.NONE);
     requireSound(best, sites);
     return best;
   }
@@ -199,8 +199,7 @@ class SiteOptimizerTest {
     Triangulation start = delaunay(sites);
     ParityGoal goal = ParityGoal.allEven(sites.size());
     LowerBound weak = new LowerBound(goal.unsatisfied(start), "as it is");
-    SearchLimits few = new SearchLimits(1, 0.01, Double.POSITIVE_INFINITY);
-    Optimum best = SiteOptimizer.optimize(start, goal, weak, few, Progress.NONE);
+    Optimum best = SiteOptimizer.optimize(start, goal, weak, SearchLimits.DEFAULT, Progress.NONE);
     assertThat(best.triangulation()).isSameAs(start);
     assertThat(best.isProven()).isTrue();
   }
