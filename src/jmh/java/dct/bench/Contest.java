@@ -12,7 +12,8 @@ import java.util.Optional;
 final class Contest {
   private static final double ROUNDS_SECONDS = 2.5; // for all rounds of one input
   private static final int MOST_ROUNDS = 60;
-  private static final int WARM_UP = 3;
+  private static final int WARM_UP = 3; // runs at least
+  private static final double WARM_UP_SECONDS = 0.6; // and at least so long
   private static final double SLOW_SECONDS = 1; // no warm-up beyond the check from here on
 
   /** Tells what is wrong with the result of the contender of this number, if anything. */
@@ -90,12 +91,8 @@ final class Contest {
         round += firstSeconds[c];
       }
     }
-    for (int k = 0; k < WARM_UP; k++) {
-      for (int c : timed) {
-        if (firstSeconds[c] < SLOW_SECONDS / WARM_UP) {
-          seconds(c);
-        }
-      }
+    for (int c : timed) {
+      warmUp(c);
     }
     int rounds = (int) Math.max(1, Math.min(MOST_ROUNDS, ROUNDS_SECONDS / Math.max(round, 1e-3)));
     double[][] seconds = new double[outcomes.length][rounds];
@@ -106,6 +103,14 @@ final class Contest {
     }
     for (int c : timed) {
       outcomes[c] = new Outcome(1e3 * median(seconds[c]), ratio(seconds[0], seconds[c]), null);
+    }
+  }
+
+  /** Lets the compiler have its way with what is quick; what is slow has run for long enough. */
+  private void warmUp(int c) {
+    double spent = firstSeconds[c];
+    for (int k = 0; (k < WARM_UP || spent < WARM_UP_SECONDS) && spent < SLOW_SECONDS; k++) {
+      spent += seconds(c);
     }
   }
 

@@ -31,6 +31,8 @@ final class Pace {
         double growth = before[c] == 0 ? LEAST_GROWTH : millis / before[c];
         remark[c] = millis * Math.max(LEAST_GROWTH, growth) > LONGEST ? "over 20 s" : null;
         before[c] = millis;
+      } else if (remark[c] == null) {
+        remark[c] = outcomes[c].remark().replaceFirst(":.*", " before");
       }
     }
   }
