@@ -7,7 +7,7 @@ import dct.bench.Contest.Outcome;
  * their time grew so far, and those that went wrong already.
  */
 final class Pace {
-  private static final double LONGEST = 20_000; // milliseconds
+  private static final double LONGEST = 8_000; // milliseconds
   private static final double LEAST_GROWTH = 10;
 
   private final double[] before;
@@ -29,7 +29,7 @@ final class Pace {
       double millis = outcomes[c].millis();
       if (outcomes[c].isTimed()) {
         double growth = before[c] == 0 ? LEAST_GROWTH : millis / before[c];
-        remark[c] = millis * Math.max(LEAST_GROWTH, growth) > LONGEST ? "over 20 s" : null;
+        remark[c] = millis * Math.max(LEAST_GROWTH, growth) > LONGEST ? "over 8 s" : null;
         before[c] = millis;
       } else if (remark[c] == null) {
         remark[c] = outcomes[c].remark().replaceFirst(":.*", " before");
