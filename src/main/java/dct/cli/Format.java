@@ -1,20 +1,19 @@
 package dct.cli;
 
+import dct.render.PictureFile;
+import java.nio.file.Path;
 import java.util.Locale;
 
-/** The formats of outputs; the ending of a file's name chooses one. */
+/** The kinds of outputs; the ending of a file's name chooses one. */
 enum Format {
   TXT,
   JSON,
   OFF,
-  PNG,
-  SVG,
-  PDF,
-  IPE,
-  TEX;
+  /** Any of {@link PictureFile.Format}. */
+  PICTURE;
 
   /** The endings of all, for messages. */
-  static final String ENDINGS = ".txt, .json, .off, .png, .svg, .pdf, .ipe or .tex";
+  static final String ENDINGS = ".txt, .json, .off, " + PictureFile.Format.ENDINGS;
 
   /**
    * The format for a file of this name.
@@ -23,15 +22,14 @@ enum Format {
    */
   static Format of(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
-    for (Format format : values()) {
-      if (lower.endsWith(format.ending())) {
+    for (Format format : new Format[] {TXT, JSON, OFF}) {
+      if (lower.endsWith("." + format.name().toLowerCase(Locale.ROOT))) {
         return format;
       }
     }
+    if (PictureFile.Format.of(Path.of(name)).isPresent()) {
+      return PICTURE;
+    }
     throw new UsageException("the ending of " + name + " is no format, use " + ENDINGS);
-  }
-
-  private String ending() {
-    return "." + name().toLowerCase(Locale.ROOT);
   }
 }

@@ -31,7 +31,7 @@ final class PointOutput {
       case TXT -> PointFile.write(file, document);
       case JSON -> ResultJson.write(file, document);
       case OFF -> OffFile.write(file, document.points());
-      case PNG, SVG, PDF, IPE, TEX -> PictureFile.write(scene(document), file);
+      case PICTURE -> PictureFile.write(scene(document), file);
     }
   }
 

@@ -36,7 +36,7 @@ record ResultOutput(Result result, Optional<FlipResult> flipped) {
           PointFile.write(file, result.triangulation().domain(), result.triangulation().points());
       case JSON -> ResultJson.write(file, result);
       case OFF -> OffFile.write(file, result.triangulation());
-      case PNG, SVG, PDF, IPE, TEX -> PictureFile.write(scene(), file);
+      case PICTURE -> PictureFile.write(scene(), file);
     }
   }
 

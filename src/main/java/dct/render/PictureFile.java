@@ -36,6 +36,9 @@ public final class PictureFile {
     /** LaTeX, with TikZ. */
     TEX;
 
+    /** The endings of all, for messages. */
+    public static final String ENDINGS = ".png, .svg, .pdf, .ipe or .tex";
+
     /** The format that a file's ending asks for, or nothing for another ending. */
     public static Optional<Format> of(Path file) {
       String name = file.toString().toLowerCase(Locale.ROOT);
@@ -69,9 +72,7 @@ public final class PictureFile {
     Format format =
         Format.of(file)
             .orElseThrow(
-                () ->
-                    new IllegalArgumentException(
-                        file + " ends in none of .png, .svg, .pdf, .ipe and .tex"));
+                () -> new IllegalArgumentException(file + " does not end in " + Format.ENDINGS));
     AtomicFile.write(file, out -> write(scene, view, width, height, format, out));
   }
 

@@ -9,18 +9,16 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** The file panels. Each kind begins in the folder where it was last. */
 enum Chooser {
-  DOCUMENTS("Polygons and sites (*.txt)", "txt"),
-  WISHES("Wished parities (*.txt)", "txt"),
-  PICTURES("Pictures (*.png, *.svg, *.pdf, *.ipe, *.tex)", "png svg pdf ipe tex"),
-  STUDIES(
-      "Rows, tables and charts (*.csv, *.md, *.tex, *.svg, *.png, *.pdf)",
-      "csv md tex svg png pdf");
+  DOCUMENTS("Polygons and sites", "txt"),
+  WISHES("Wished parities", "txt"),
+  PICTURES("Pictures", "png svg pdf ipe tex"),
+  STUDIES("Rows, tables and charts", "csv md tex svg png pdf");
 
   private final String filter;
   private final String endings; // separated by blanks
 
-  Chooser(String filter, String endings) {
-    this.filter = filter;
+  Chooser(String title, String endings) {
+    filter = title + " (*." + endings.replace(" ", ", *.") + ")";
     this.endings = endings;
   }
 

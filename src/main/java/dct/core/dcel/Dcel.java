@@ -289,11 +289,6 @@ public final class Dcel {
     return prev[e] ^ 1;
   }
 
-  /** The next half-edge clockwise around the origin of e. */
-  public int rotateBack(int e) {
-    return next[e ^ 1];
-  }
-
   /** Whether the edge borders the outer face. */
   public boolean isBoundary(int edge) {
     return face[2 * edge] == OUTER || face[2 * edge + 1] == OUTER;

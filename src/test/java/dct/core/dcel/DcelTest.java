@@ -157,8 +157,8 @@ class DcelTest {
     Dcel dcel = triangulated(30, new Random(1));
     for (int e : handles(dcel)) {
       assertThat(dcel.origin(dcel.rotate(e))).isEqualTo(dcel.origin(e));
-      assertThat(dcel.rotateBack(dcel.rotate(e))).isEqualTo(e);
-      assertThat(dcel.rotate(dcel.rotateBack(e))).isEqualTo(e);
+      assertThat(dcel.next(dcel.rotate(e) ^ 1)).isEqualTo(e);
+      assertThat(dcel.rotate(dcel.next(e ^ 1))).isEqualTo(e);
     }
   }
 

@@ -1,5 +1,6 @@
 package dct.core.degree.best;
 
+import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;

@@ -1,5 +1,6 @@
 package dct.core.degree.best;
 
+import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.degree.Aqt;

@@ -1,23 +1,21 @@
 package dct.core.degree.search;
 
+import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.degree.SearchLimits;
 
 /** Tells a search when to stop, and the user how far it is; may be asked by several threads. */
 final class SearchClock {
-  private final Progress progress;
-  private final long start = System.nanoTime();
-  private final double seconds;
+  private final Progress progress; // cancelled when the time is up, too
   private volatile boolean struck;
 
   SearchClock(SearchLimits limits, Progress progress) {
-    this.progress = progress;
-    this.seconds = limits.seconds();
+    this.progress = new Deadline(progress, limits.seconds());
   }
 
   /** Whether the user or the limit of time has ended the search; once true, always true. */
   boolean isOver() {
-    if (!struck && (progress.isCancelled() || (System.nanoTime() - start) * 1e-9 >= seconds)) {
+    if (!struck && progress.isCancelled()) {
       struck = true;
     }
     return struck;

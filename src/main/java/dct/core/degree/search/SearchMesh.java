@@ -29,7 +29,6 @@ final class SearchMesh {
   final int[] out; // by vertex: a half-edge that leaves it
   final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
   final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
-  final boolean[] hull; // by vertex: whether it lies on the boundary of the hull
   private final int[] free; // the vertices of which nothing is wished, in order
   private final int[] site; // by vertex: its number among the sites
   private final boolean plain; // determinants in floating point have no rounding error
@@ -57,35 +56,6 @@ final class SearchMesh {
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
     readTriangles(start.dcel(), place);
-    hull = new boolean[n];
-    markHull();
-  }
-
-  private SearchMesh(SearchMesh that) {
-    free = that.free;
-    hull = that.hull;
-    x = that.x;
-    y = that.y;
-    site = that.site;
-    plain = that.plain;
-    corner = that.corner.clone();
-    twin = that.twin.clone();
-    out = that.out.clone();
-    wrong = that.wrong.clone();
-    weight = that.weight.clone();
-  }
-
-  /** A mesh that can be changed apart from this one. */
-  SearchMesh copy() {
-    return new SearchMesh(this);
-  }
-
-  /** Makes this mesh what another one over the same sites is. */
-  void set(SearchMesh that) {
-    System.arraycopy(that.corner, 0, corner, 0, corner.length);
-    System.arraycopy(that.twin, 0, twin, 0, twin.length);
-    System.arraycopy(that.out, 0, out, 0, out.length);
-    System.arraycopy(that.wrong, 0, wrong, 0, wrong.length);
   }
 
   private void readTriangles(Dcel dcel, int[] place) {
@@ -103,14 +73,6 @@ final class SearchMesh {
     for (int h = 0; h < slot.length; h++) {
       if (dcel.face(h) != Dcel.OUTER) {
         twin[slot[h]] = dcel.face(h ^ 1) == Dcel.OUTER ? NONE : slot[h ^ 1];
-      }
-    }
-  }
-
-  private void markHull() {
-    for (int e = 0; e < corner.length; e++) {
-      if ((e & 3) != 3 && twin[e] == NONE) {
-        hull[corner[e]] = true; // each hull vertex begins one edge of the hull
       }
     }
   }

@@ -1,16 +1,15 @@
-package dct.core.degree.best;
-
-import dct.core.Progress;
+package dct.core;
 
 /** A progress that also asks to stop once a time has passed. */
-final class Deadline implements Progress {
+public final class Deadline implements Progress {
   private static final double NANOS = 1e9;
 
   private final Progress progress;
   private final long start = System.nanoTime();
   private final double nanos; // how long, from the start
 
-  Deadline(Progress progress, double seconds) {
+  /** So many seconds from now; infinitely many set no limit. */
+  public Deadline(Progress progress, double seconds) {
     this.progress = progress;
     nanos = seconds * NANOS;
   }
@@ -22,6 +21,6 @@ final class Deadline implements Progress {
 
   @Override
   public boolean isCancelled() {
-    return progress.isCancelled() || System.nanoTime() - start > nanos;
+    return progress.isCancelled() || System.nanoTime() - start >= nanos;
   }
 }
