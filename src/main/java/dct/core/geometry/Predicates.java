@@ -3,17 +3,19 @@ package dct.core.geometry;
 /**
  * The two geometric tests on which everything rests, decided exactly for every finite double.
  *
- * <p>Three stages, each taken only where the one before cannot decide: the determinant in floating
+ * <p>Four stages, each taken only where those before cannot decide: the determinant in floating
  * point with a bound on its rounding error (the static filter of J. R. Shewchuk, <i>Adaptive
- * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates</i>, 1997); the exact
- * determinant as a sum of doubles ({@link Expansion}); and {@link java.math.BigDecimal} where an
- * exponent is so extreme that such a sum could overflow or underflow. No tolerance anywhere.
+ * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates</i>, 1997); the same
+ * where nothing had to be rounded, as on lattices; the exact determinant as a sum of doubles
+ * ({@link Expansion}); and {@link java.math.BigDecimal} where an exponent is so extreme that such a
+ * sum could overflow or underflow. No tolerance anywhere.
  */
 public final class Predicates {
 
   /** Which stage decided; of interest to tests and to nobody else. */
   enum Stage {
     FILTER,
+    UNROUNDED,
     EXPANSION,
     BIG_DECIMAL
   }
@@ -30,6 +32,9 @@ public final class Predicates {
   // Coordinates of these magnitudes, and zero, keep every term of the fourth degree normal.
   private static final double SMALLEST = 0x1p-200;
   private static final double LARGEST = 0x1p200;
+
+  // In ulps of the largest, the unit of numbers of twelve bits.
+  private static final double SHORT = 0x1p41;
 
   private Predicates() {}
 
@@ -55,6 +60,31 @@ public final class Predicates {
     return certain ? det : 0;
   }
 
+  /** The determinant if nothing but its last difference is rounded, or else not a number. */
+  private static double unroundedOrient(
+      double ax, double ay, double bx, double by, double cx, double cy) {
+    double acx = ax - cx;
+    double acy = ay - cy;
+    double bcx = bx - cx;
+    double bcy = by - cy;
+    double left = acx * bcy;
+    double right = acy * bcx;
+    boolean exact =
+        isExact(ax, cx, acx)
+            && isExact(ay, cy, acy)
+            && isExact(bx, cx, bcx)
+            && isExact(by, cy, bcy)
+            && Math.fma(acx, bcy, -left) == 0
+            && Math.fma(acy, bcx, -right) == 0;
+    return exact ? left - right : Double.NaN;
+  }
+
+  /** Whether a − b did not have to be rounded. */
+  private static boolean isExact(double a, double b, double difference) {
+    double bVirtual = a - difference;
+    return (a - (difference + bVirtual)) + (bVirtual - b) == 0;
+  }
+
   /**
    * Whether d lies inside the circle through a, b and c, which must be counter-clockwise: positive
    * if inside, negative if outside, zero if on it. (For clockwise a, b, c the sign is reversed.)
@@ -76,20 +106,14 @@ public final class Predicates {
     double bdy = by - dy;
     double cdx = cx - dx;
     double cdy = cy - dy;
-    double bc = bdx * cdy;
-    double cb = cdx * bdy;
-    double ca = cdx * ady;
-    double ac = adx * cdy;
-    double ab = adx * bdy;
-    double ba = bdx * ady;
     double aLift = adx * adx + ady * ady;
     double bLift = bdx * bdx + bdy * bdy;
     double cLift = cdx * cdx + cdy * cdy;
-    double det = aLift * (bc - cb) + bLift * (ca - ac) + cLift * (ab - ba);
+    double det = inCircleDeterminant(adx, ady, bdx, bdy, cdx, cdy);
     double magnitude =
-        aLift * (Math.abs(bc) + Math.abs(cb))
-            + bLift * (Math.abs(ca) + Math.abs(ac))
-            + cLift * (Math.abs(ab) + Math.abs(ba));
+        aLift * (Math.abs(bdx * cdy) + Math.abs(cdx * bdy))
+            + bLift * (Math.abs(cdx * ady) + Math.abs(adx * cdy))
+            + cLift * (Math.abs(adx * bdy) + Math.abs(bdx * ady));
     boolean certain =
         Math.abs(det) > IN_CIRCLE_BOUND * magnitude
             && magnitude > IN_CIRCLE_SMALLEST
@@ -97,29 +121,81 @@ public final class Predicates {
     return certain ? det : 0;
   }
 
+  /** In floating point. */
+  private static double inCircleDeterminant(
+      double adx, double ady, double bdx, double bdy, double cdx, double cdy) {
+    return (adx * adx + ady * ady) * (bdx * cdy - cdx * bdy)
+        + (bdx * bdx + bdy * bdy) * (cdx * ady - adx * cdy)
+        + (cdx * cdx + cdy * cdy) * (adx * bdy - bdx * ady);
+  }
+
+  /**
+   * The determinant if nothing is rounded, or else not a number. Sure of it only where the
+   * differences are multiples of one power of two by at most 2¹², so that those of the fourth degree
+   * stay below 2⁵³.
+   */
+  private static double unroundedInCircle(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    double adx = ax - dx;
+    double ady = ay - dy;
+    double bdx = bx - dx;
+    double bdy = by - dy;
+    double cdx = cx - dx;
+    double cdy = cy - dy;
+    double largestX = Math.max(Math.abs(adx), Math.max(Math.abs(bdx), Math.abs(cdx)));
+    double largestY = Math.max(Math.abs(ady), Math.max(Math.abs(bdy), Math.abs(cdy)));
+    double perUnit = 1 / (SHORT * Math.ulp(Math.max(largestX, largestY)));
+    boolean exact =
+        isShort(ax, dx, adx, perUnit)
+            && isShort(ay, dy, ady, perUnit)
+            && isShort(bx, dx, bdx, perUnit)
+            && isShort(by, dy, bdy, perUnit)
+            && isShort(cx, dx, cdx, perUnit)
+            && isShort(cy, dy, cdy, perUnit);
+    return exact ? inCircleDeterminant(adx, ady, bdx, bdy, cdx, cdy) : Double.NaN;
+  }
+
+  /** Whether a − b did not have to be rounded and is a whole number of units. */
+  private static boolean isShort(double a, double b, double difference, double perUnit) {
+    double units = difference * perUnit;
+    return units == Math.rint(units) && isExact(a, b, difference);
+  }
+
   /** The stage that decides {@link #orient} for these arguments. */
   static Stage orientStage(double ax, double ay, double bx, double by, double cx, double cy) {
-    return filteredOrient(ax, ay, bx, by, cx, cy) != 0
-        ? Stage.FILTER
-        : exactStage(ax, ay, bx, by, cx, cy);
+    return stage(
+        filteredOrient(ax, ay, bx, by, cx, cy),
+        isModerate(ax, ay, bx, by, cx, cy),
+        unroundedOrient(ax, ay, bx, by, cx, cy));
   }
 
   /** The stage that decides {@link #inCircle} for these arguments. */
   static Stage inCircleStage(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
-    return filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy) != 0
-        ? Stage.FILTER
-        : exactStage(ax, ay, bx, by, cx, cy, dx, dy);
+    return stage(
+        filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy),
+        isModerate(ax, ay, bx, by, cx, cy, dx, dy),
+        unroundedInCircle(ax, ay, bx, by, cx, cy, dx, dy));
   }
 
-  private static Stage exactStage(double... coordinates) {
-    return isModerate(coordinates) ? Stage.EXPANSION : Stage.BIG_DECIMAL;
+  private static Stage stage(double filtered, boolean moderate, double unrounded) {
+    if (filtered != 0) {
+      return Stage.FILTER;
+    }
+    if (!moderate) {
+      return Stage.BIG_DECIMAL;
+    }
+    return Double.isNaN(unrounded) ? Stage.EXPANSION : Stage.UNROUNDED;
   }
 
   private static int orientExactly(
       double ax, double ay, double bx, double by, double cx, double cy) {
     if (!isModerate(ax, ay, bx, by, cx, cy)) {
       return BigPredicates.orient(ax, ay, bx, by, cx, cy);
+    }
+    double det = unroundedOrient(ax, ay, bx, by, cx, cy);
+    if (!Double.isNaN(det)) {
+      return (int) Math.signum(det);
     }
     Expansion left = Expansion.difference(ax, cx).times(Expansion.difference(by, cy));
     Expansion right = Expansion.difference(ay, cy).times(Expansion.difference(bx, cx));
@@ -130,6 +206,10 @@ public final class Predicates {
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
     if (!isModerate(ax, ay, bx, by, cx, cy, dx, dy)) {
       return BigPredicates.inCircle(ax, ay, bx, by, cx, cy, dx, dy);
+    }
+    double det = unroundedInCircle(ax, ay, bx, by, cx, cy, dx, dy);
+    if (!Double.isNaN(det)) {
+      return (int) Math.signum(det);
     }
     Expansion adx = Expansion.difference(ax, dx);
     Expansion ady = Expansion.difference(ay, dy);

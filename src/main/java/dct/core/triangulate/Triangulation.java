@@ -14,10 +14,12 @@ import java.util.function.IntFunction;
  * all lie on one line have none, and their edges form a path.
  */
 public final class Triangulation {
+  private static final EdgeKind[] KINDS = EdgeKind.values();
+
   private final Domain domain;
   private final Points points;
   private final Dcel dcel;
-  private final EdgeKind[] kinds; // by edge
+  private final byte[] kinds; // by edge, ordinals: millions of references slow down the collector
 
   /**
    * A triangulation over this topology, which is frozen by it.
@@ -33,9 +35,10 @@ public final class Triangulation {
     this.domain = domain;
     this.points = points;
     this.dcel = dcel.freeze();
-    this.kinds = new EdgeKind[dcel.edgeCount()];
+    this.kinds = new byte[dcel.edgeCount()];
     for (int edge = 0; edge < kinds.length; edge++) {
-      kinds[edge] = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
+      EdgeKind kind = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
+      kinds[edge] = (byte) kind.ordinal();
     }
   }
 
@@ -71,14 +74,14 @@ public final class Triangulation {
 
   /** The kind of an edge. */
   public EdgeKind kind(int edge) {
-    return kinds[edge];
+    return KINDS[kinds[edge]];
   }
 
   /** How many edges are of this kind. */
   public int count(EdgeKind kind) {
     int count = 0;
-    for (EdgeKind k : kinds) {
-      if (k == kind) {
+    for (byte k : kinds) {
+      if (k == kind.ordinal()) {
         count++;
       }
     }
@@ -113,7 +116,7 @@ public final class Triangulation {
     boolean[] seen = new boolean[vertexCount()];
     int count = 0;
     for (int edge = 0; edge < kinds.length; edge++) {
-      if (kinds[edge] == EdgeKind.BOUNDARY) {
+      if (kind(edge) == EdgeKind.BOUNDARY) {
         count += mark(seen, from(edge)) + mark(seen, to(edge));
       }
     }
