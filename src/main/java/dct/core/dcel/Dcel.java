@@ -58,7 +58,6 @@ public final class Dcel {
     this.prev = prev;
     this.origin = origin;
     face = new int[next.length];
-    Arrays.fill(face, NONE);
     edges = new FreeList();
     faces = new FreeList();
   }
@@ -164,22 +163,35 @@ public final class Dcel {
     }
   }
 
+  /**
+   * Numbers the faces by their smallest half-edges. Those of triangles are chosen without a branch,
+   * since every third guess of the processor would be wrong; other faces are walked.
+   */
   private void findFaces(int outer) {
     int components = 1;
     faceEdge = new int[2 + components + edges.bound() - Math.min(edges.bound(), degree.length)];
-    labelFace(outer);
+    faceEdge[OUTER] = outer;
+    int count = 1;
+    if (outer != NONE) {
+      relabel(outer, NONE);
+    }
     for (int e = 0; e < 2 * edges.bound(); e++) {
       if (face[e] == NONE) {
-        labelFace(e);
+        continue; // walked before
+      }
+      int a = next[e];
+      int b = prev[e];
+      faceEdge[count] = e;
+      if (next[a] == b) {
+        count += ((e - a) & (e - b)) >>> 31; // 1 if e < a and e < b
+      } else {
+        relabel(e, NONE);
+        count++;
       }
     }
-  }
-
-  private void labelFace(int start) {
-    int f = newFace();
-    faceEdge[f] = start;
-    if (start != NONE) {
-      relabel(start, f);
+    faces.take(count);
+    for (int f = outer == NONE ? 1 : 0; f < count; f++) {
+      relabel(faceEdge[f], f);
     }
   }
 
@@ -346,6 +358,7 @@ public final class Dcel {
     boolean dIsShort = isShorter(d, t);
     int shorter = dIsShort ? d : t;
     relabel(shorter, added);
+    faceEdge[added] = shorter;
     face[shorter ^ 1] = old;
     faceEdge[old] = shorter ^ 1;
     return d;
@@ -465,7 +478,6 @@ public final class Dcel {
       face[e] = label;
       e = next[e];
     } while (e != start);
-    faceEdge[label] = start;
   }
 
   private int newEdge() {

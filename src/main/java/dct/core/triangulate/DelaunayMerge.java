@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * {@code next} is {@link Dcel#NONE}.
  */
 final class DelaunayMerge {
-  private static final int PARALLEL = 1 << 10; // parts of at least this size are forked
+  private static final int PARALLEL = Integer.getInteger("par", 1 << 8); // parts of at least this size are forked
   private static final int REPORTED = 1 << 13; // parts of at least this size report progress
 
   final int[] next;
@@ -39,7 +39,7 @@ final class DelaunayMerge {
 
   /** Triangulates all sites; returns a half-edge of the outer face. */
   int run() {
-    return new Task(0, x.length, true).invoke().ldo ^ 1;
+    return new Task(0, x.length, true, KdOrder.ROOT).invoke().ldo ^ 1;
   }
 
   /** The sites that the half-edges leave; the places are gone afterwards. */
@@ -65,34 +65,49 @@ final class DelaunayMerge {
     private final int lo;
     private final int hi;
     private final boolean byX;
+    private final int node;
 
-    Task(int lo, int hi, boolean byX) {
+    Task(int lo, int hi, boolean byX, int node) {
       this.lo = lo;
       this.hi = hi;
       this.byX = byX;
+      this.node = node;
     }
 
     @Override
     protected Part compute() {
-      if (hi - lo < PARALLEL) {
-        return triangulate(lo, hi, byX);
-      }
-      int middle = KdOrder.middle(lo, hi);
-      Task left = new Task(lo, middle, !byX);
-      left.fork();
-      Part right = new Task(middle, hi, !byX).compute();
-      return mergeAlong(left.join(), right, byX, hi - lo);
+      return triangulate(lo, hi, byX, node);
     }
   }
 
-  private Part triangulate(int lo, int hi, boolean byX) {
+  /** Triangulates the part [lo, hi), which is that of the node if it has one. */
+  private Part triangulate(int lo, int hi, boolean byX, int node) {
     if (hi - lo <= KdOrder.LEAF) {
+      order.sortFew(lo, hi);
       return triangulateSorted(lo, hi);
     }
-    int middle = KdOrder.middle(lo, hi);
-    Part left = triangulate(lo, middle, !byX);
-    Part right = triangulate(middle, hi, !byX);
-    return mergeAlong(left, right, byX, hi - lo);
+    int middle = order.cellCut(node);
+    if (middle == lo) {
+      return triangulate(lo, hi, !byX, 2 * node + 1);
+    }
+    if (middle == hi) {
+      return triangulate(lo, hi, !byX, 2 * node);
+    }
+    if (middle > lo + 1 && middle < hi - 1) {
+      return halves(lo, middle, hi, byX, 2 * node, 2 * node + 1);
+    }
+    return halves(lo, order.cutAtMedian(lo, hi, byX), hi, byX, KdOrder.MEDIANS, KdOrder.MEDIANS);
+  }
+
+  private Part halves(int lo, int middle, int hi, boolean byX, int leftNode, int rightNode) {
+    if (hi - lo < PARALLEL) {
+      Part left = triangulate(lo, middle, !byX, leftNode);
+      return mergeAlong(left, triangulate(middle, hi, !byX, rightNode), byX, hi - lo);
+    }
+    Task left = new Task(lo, middle, !byX, leftNode);
+    left.fork();
+    Part right = triangulate(middle, hi, !byX, rightNode);
+    return mergeAlong(left.join(), right, byX, hi - lo);
   }
 
   /** A few sites that are sorted by x: all cuts are by x, and nothing is turned. */
@@ -103,7 +118,7 @@ final class DelaunayMerge {
     if (hi - lo == 3) {
       return triangle(lo);
     }
-    int middle = KdOrder.middle(lo, hi);
+    int middle = (lo + hi) >>> 1;
     return merge(triangulateSorted(lo, middle), triangulateSorted(middle, hi));
   }
 

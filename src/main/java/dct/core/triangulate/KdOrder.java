@@ -1,36 +1,78 @@
 package dct.core.triangulate;
 
+import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
-import java.util.concurrent.RecursiveAction;
 
 /**
- * Sites in the order of a balanced kd-tree: every part [lo, hi) with more than {@link #LEAF} sites
- * is cut at {@link #middle} so that those before it precede those after it, by x and then y on even
- * levels, by y and then x on odd ones. The sites of smaller parts are sorted by x and then y.
+ * Sites in an order in which near ones stand near each other, and a tree of parts over it: every
+ * part [lo, hi) is cut so that all before the cut precede all after it, by x and then y on even
+ * levels, by y and then x on odd ones.
  *
- * <p>Quickselect with a median of three from fixed places, O(n log n) expected time.
+ * <p>The upper part of the tree is that of the cells of a grid over the bounding box, halved in
+ * turn along both axes and numbered from left to right, into which the sites are counted in linear
+ * time. A part is cut at its median where the cells end, or where they would leave a single site on
+ * one side: by quickselect with a median of three from fixed places, O(n log n) expected time in all.
  */
 final class KdOrder {
-  static final int LEAF = 8; // parts of so many sites or fewer are not cut
-  private static final int PARALLEL = 1 << 10; // parts of at least this size are cut in parallel
+  static final int LEAF = Integer.getInteger("leaf", 8); // parts of so many sites or fewer are not cut
+  static final int ROOT = 1; // the node of all cells; the halves of node k are 2k and 2k + 1
+  static final int MEDIANS = 0; // in place of a node: from here on, cuts are at medians
+  private static final int PER_CELL = Integer.getInteger("pc", 12); // sites on average, at most
+  private static final int MOST_LEVELS = 24;
 
-  final double[] x; // coordinates in kd-order
+  final double[] x; // coordinates, by place
   final double[] y;
   final int[] site; // the number of the site at each place
+  private final int cells; // a power of two; nodes from here on are single cells
+  private final int[] start; // by cell: the place of its first site; and the end of the last
 
   KdOrder(Points points) {
-    x = points.xs();
-    y = points.ys();
-    site = new int[x.length];
-    for (int i = 0; i < site.length; i++) {
-      site[i] = i;
-    }
-    new Cut(0, site.length, true).invoke();
+    int n = points.size();
+    x = new double[n];
+    y = new double[n];
+    site = new int[n];
+    int levels = Math.min(MOST_LEVELS, 32 - Integer.numberOfLeadingZeros(n / PER_CELL));
+    cells = 1 << levels;
+    start = new int[cells + 1];
+    fill(points, new CellNumbers(points, levels));
   }
 
-  /** Where the part [lo, hi) is cut. */
-  static int middle(int lo, int hi) {
-    return (lo + hi) >>> 1;
+  /** Counts the sites into their cells. */
+  private void fill(Points points, CellNumbers numbers) {
+    int[] cell = new int[x.length];
+    for (int i = 0; i < cell.length; i++) {
+      cell[i] = numbers.of(points.x(i), points.y(i));
+      start[cell[i]]++;
+    }
+    int end = 0;
+    for (int c = 0; c < cells; c++) {
+      end += start[c];
+      start[c] = end;
+    }
+    start[cells] = end;
+    for (int i = cell.length - 1; i >= 0; i--) {
+      int place = --start[cell[i]];
+      x[place] = points.x(i);
+      y[place] = points.y(i);
+      site[place] = i;
+    }
+  }
+
+  /** Where the node's cells are halved, or {@link Dcel#NONE} if it has no two halves. */
+  int cellCut(int node) {
+    if (node == MEDIANS || node >= cells) {
+      return Dcel.NONE;
+    }
+    int right = 2 * node + 1;
+    int below = Integer.numberOfLeadingZeros(right) - Integer.numberOfLeadingZeros(cells);
+    return start[(right << below) - cells];
+  }
+
+  /** Cuts [lo, hi) at its median; returns where that is. */
+  int cutAtMedian(int lo, int hi, boolean byX) {
+    int middle = (lo + hi) >>> 1;
+    select(lo, hi - 1, middle, byX);
+    return middle;
   }
 
   /** Whether the point at place i precedes that at place j, by x first or by y first. */
@@ -42,43 +84,8 @@ final class KdOrder {
     return byX ? px < qx || (px == qx && py < qy) : py < qy || (py == qy && px < qx);
   }
 
-  private final class Cut extends RecursiveAction {
-    private static final long serialVersionUID = 1L;
-    private final int lo;
-    private final int hi;
-    private final boolean byX;
-
-    Cut(int lo, int hi, boolean byX) {
-      this.lo = lo;
-      this.hi = hi;
-      this.byX = byX;
-    }
-
-    @Override
-    protected void compute() {
-      if (hi - lo < PARALLEL) {
-        cut(lo, hi, byX);
-        return;
-      }
-      int middle = middle(lo, hi);
-      select(lo, hi - 1, middle, byX);
-      invokeAll(new Cut(lo, middle, !byX), new Cut(middle, hi, !byX));
-    }
-  }
-
-  private void cut(int lo, int hi, boolean byX) {
-    if (hi - lo <= LEAF) {
-      sortFew(lo, hi);
-      return;
-    }
-    int middle = middle(lo, hi);
-    select(lo, hi - 1, middle, byX);
-    cut(lo, middle, !byX);
-    cut(middle, hi, !byX);
-  }
-
   /** Sorts a few sites by x and then y, by insertion. */
-  private void sortFew(int lo, int hi) {
+  void sortFew(int lo, int hi) {
     for (int i = lo + 1; i < hi; i++) {
       double px = x[i];
       double py = y[i];
