@@ -181,6 +181,9 @@ public final class Dcel {
       }
       int a = next[e];
       int b = prev[e];
+      if (count == faceEdge.length) {
+        faceEdge = Arrays.copyOf(faceEdge, 2 * count); // more than one component
+      }
       faceEdge[count] = e;
       if (next[a] == b) {
         count += ((e - a) & (e - b)) >>> 31; // 1 if e < a and e < b

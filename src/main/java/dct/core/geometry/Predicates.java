@@ -3,12 +3,13 @@ package dct.core.geometry;
 /**
  * The two geometric tests on which everything rests, decided exactly for every finite double.
  *
- * <p>Four stages, each taken only where those before cannot decide: the determinant in floating
- * point with a bound on its rounding error (the static filter of J. R. Shewchuk, <i>Adaptive
- * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates</i>, 1997); the same
- * where nothing had to be rounded, as on lattices; the exact determinant as a sum of doubles
- * ({@link Expansion}); and {@link java.math.BigDecimal} where an exponent is so extreme that such a
- * sum could overflow or underflow. No tolerance anywhere.
+ * <p>Stages, each taken only where those before cannot decide: the determinant in floating point
+ * with a bound on its rounding error (the static filter of J. R. Shewchuk, <i>Adaptive Precision
+ * Floating-Point Arithmetic and Fast Robust Geometric Predicates</i>, 1997); the same where nothing
+ * had to be rounded, as on lattices; in circles, with twice the digits ({@link Twofold}), as on a
+ * circle; the exact determinant as a sum of doubles ({@link Expansion}); and {@link
+ * java.math.BigDecimal} where an exponent is so extreme that such a sum could overflow or
+ * underflow. No tolerance anywhere.
  */
 public final class Predicates {
 
@@ -16,6 +17,7 @@ public final class Predicates {
   enum Stage {
     FILTER,
     UNROUNDED,
+    TWOFOLD,
     EXPANSION,
     BIG_DECIMAL
   }
@@ -23,6 +25,8 @@ public final class Predicates {
   private static final double EPSILON = 0x1p-53;
   private static final double ORIENT_BOUND = (3 + 16 * EPSILON) * EPSILON;
   private static final double IN_CIRCLE_BOUND = (10 + 96 * EPSILON) * EPSILON;
+
+  private static final double TWOFOLD_BOUND = 0x1p-90; // some sixty times the rounding errors
 
   // Within these the filters' bounds hold although a product may have underflowed.
   private static final double ORIENT_SMALLEST = 0x1p-900;
@@ -131,8 +135,8 @@ public final class Predicates {
 
   /**
    * The determinant if nothing is rounded, or else not a number. Sure of it only where the
-   * differences are multiples of one power of two by at most 2¹², so that those of the fourth degree
-   * stay below 2⁵³.
+   * differences are multiples of one power of two by at most 2¹², so that those of the fourth
+   * degree stay below 2⁵³.
    */
   private static double unroundedInCircle(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
@@ -161,31 +165,52 @@ public final class Predicates {
     return units == Math.rint(units) && isExact(a, b, difference);
   }
 
+  /** The determinant with twice the digits if its sign is certain, or else zero. */
+  private static double twofoldInCircle(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    Twofold adx = Twofold.difference(ax, dx);
+    Twofold ady = Twofold.difference(ay, dy);
+    Twofold bdx = Twofold.difference(bx, dx);
+    Twofold bdy = Twofold.difference(by, dy);
+    Twofold cdx = Twofold.difference(cx, dx);
+    Twofold cdy = Twofold.difference(cy, dy);
+    Twofold aLift = adx.times(adx).plus(ady.times(ady));
+    Twofold bLift = bdx.times(bdx).plus(bdy.times(bdy));
+    Twofold cLift = cdx.times(cdx).plus(cdy.times(cdy));
+    Twofold a = aLift.times(bdx.times(cdy).minus(cdx.times(bdy)));
+    Twofold b = bLift.times(cdx.times(ady).minus(adx.times(cdy)));
+    Twofold c = cLift.times(adx.times(bdy).minus(bdx.times(ady)));
+    double det = a.plus(b).plus(c).high();
+    double largest = aLift.high() + bLift.high() + cLift.high(); // |xy| is at most (x² + y²) / 2
+    return Math.abs(det) > TWOFOLD_BOUND * largest * largest ? det : 0;
+  }
+
   /** The stage that decides {@link #orient} for these arguments. */
   static Stage orientStage(double ax, double ay, double bx, double by, double cx, double cy) {
-    return stage(
-        filteredOrient(ax, ay, bx, by, cx, cy),
-        isModerate(ax, ay, bx, by, cx, cy),
-        unroundedOrient(ax, ay, bx, by, cx, cy));
+    if (filteredOrient(ax, ay, bx, by, cx, cy) != 0) {
+      return Stage.FILTER;
+    }
+    if (!isModerate(ax, ay, bx, by, cx, cy)) {
+      return Stage.BIG_DECIMAL;
+    }
+    boolean rounded = Double.isNaN(unroundedOrient(ax, ay, bx, by, cx, cy));
+    return rounded ? Stage.EXPANSION : Stage.UNROUNDED;
   }
 
   /** The stage that decides {@link #inCircle} for these arguments. */
   static Stage inCircleStage(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
-    return stage(
-        filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy),
-        isModerate(ax, ay, bx, by, cx, cy, dx, dy),
-        unroundedInCircle(ax, ay, bx, by, cx, cy, dx, dy));
-  }
-
-  private static Stage stage(double filtered, boolean moderate, double unrounded) {
-    if (filtered != 0) {
+    if (filteredInCircle(ax, ay, bx, by, cx, cy, dx, dy) != 0) {
       return Stage.FILTER;
     }
-    if (!moderate) {
+    if (!isModerate(ax, ay, bx, by, cx, cy, dx, dy)) {
       return Stage.BIG_DECIMAL;
     }
-    return Double.isNaN(unrounded) ? Stage.EXPANSION : Stage.UNROUNDED;
+    if (!Double.isNaN(unroundedInCircle(ax, ay, bx, by, cx, cy, dx, dy))) {
+      return Stage.UNROUNDED;
+    }
+    boolean certain = twofoldInCircle(ax, ay, bx, by, cx, cy, dx, dy) != 0;
+    return certain ? Stage.TWOFOLD : Stage.EXPANSION;
   }
 
   private static int orientExactly(
@@ -210,6 +235,10 @@ public final class Predicates {
     double det = unroundedInCircle(ax, ay, bx, by, cx, cy, dx, dy);
     if (!Double.isNaN(det)) {
       return (int) Math.signum(det);
+    }
+    det = twofoldInCircle(ax, ay, bx, by, cx, cy, dx, dy);
+    if (det != 0) {
+      return det > 0 ? 1 : -1;
     }
     Expansion adx = Expansion.difference(ax, dx);
     Expansion ady = Expansion.difference(ay, dy);

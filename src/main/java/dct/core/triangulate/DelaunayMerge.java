@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * {@code next} is {@link Dcel#NONE}.
  */
 final class DelaunayMerge {
-  private static final int PARALLEL = Integer.getInteger("par", 1 << 8); // parts of at least this size are forked
+  private static final int PARALLEL = 1 << 10; // parts of at least this size are forked
   private static final int REPORTED = 1 << 13; // parts of at least this size report progress
 
   final int[] next;

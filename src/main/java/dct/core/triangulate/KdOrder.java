@@ -11,13 +11,14 @@ import dct.core.geometry.Points;
  * <p>The upper part of the tree is that of the cells of a grid over the bounding box, halved in
  * turn along both axes and numbered from left to right, into which the sites are counted in linear
  * time. A part is cut at its median where the cells end, or where they would leave a single site on
- * one side: by quickselect with a median of three from fixed places, O(n log n) expected time in all.
+ * one side: by quickselect with a median of three from fixed places, O(n log n) expected time in
+ * all.
  */
 final class KdOrder {
-  static final int LEAF = Integer.getInteger("leaf", 8); // parts of so many sites or fewer are not cut
+  static final int LEAF = 8; // parts of so many sites or fewer are not cut
   static final int ROOT = 1; // the node of all cells; the halves of node k are 2k and 2k + 1
   static final int MEDIANS = 0; // in place of a node: from here on, cuts are at medians
-  private static final int PER_CELL = Integer.getInteger("pc", 12); // sites on average, at most
+  private static final int PER_CELL = 9; // sites at least, on average
   private static final int MOST_LEVELS = 24;
 
   final double[] x; // coordinates, by place
@@ -31,10 +32,15 @@ final class KdOrder {
     x = new double[n];
     y = new double[n];
     site = new int[n];
-    int levels = Math.min(MOST_LEVELS, 32 - Integer.numberOfLeadingZeros(n / PER_CELL));
+    int levels = Math.min(MOST_LEVELS, log2(n / PER_CELL));
     cells = 1 << levels;
     start = new int[cells + 1];
     fill(points, new CellNumbers(points, levels));
+  }
+
+  /** Rounded down; 0 of 0. */
+  private static int log2(int number) {
+    return 31 - Integer.numberOfLeadingZeros(number | 1);
   }
 
   /** Counts the sites into their cells. */

@@ -14,12 +14,10 @@ import java.util.function.IntFunction;
  * all lie on one line have none, and their edges form a path.
  */
 public final class Triangulation {
-  private static final EdgeKind[] KINDS = EdgeKind.values();
-
   private final Domain domain;
   private final Points points;
   private final Dcel dcel;
-  private final byte[] kinds; // by edge, ordinals: millions of references slow down the collector
+  private final byte[] kinds; // by edge: the code
 
   /**
    * A triangulation over this topology, which is frozen by it.
@@ -38,7 +36,7 @@ public final class Triangulation {
     this.kinds = new byte[dcel.edgeCount()];
     for (int edge = 0; edge < kinds.length; edge++) {
       EdgeKind kind = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
-      kinds[edge] = (byte) kind.ordinal();
+      kinds[edge] = kind.code;
     }
   }
 
@@ -74,14 +72,14 @@ public final class Triangulation {
 
   /** The kind of an edge. */
   public EdgeKind kind(int edge) {
-    return KINDS[kinds[edge]];
+    return EdgeKind.of(kinds[edge]);
   }
 
   /** How many edges are of this kind. */
   public int count(EdgeKind kind) {
     int count = 0;
     for (byte k : kinds) {
-      if (k == kind.ordinal()) {
+      if (k == kind.code) {
         count++;
       }
     }

@@ -102,6 +102,13 @@ class PredicatesTest {
         return limit * (r.nextInt(3) - 1) * (1 + (r.nextInt(5) - 2) * ULP);
       }
     },
+    ABOUT_TWELVE_BITS(100_000) {
+      @Override
+      double next(Random r) {
+        int[] near = {0, 1, 2047, 2048, 4095, 4096, 4097, 8191};
+        return near[r.nextInt(near.length)] * 0x1p-30;
+      }
+    },
     WIDE(10_000) {
       @Override
       double next(Random r) {
@@ -237,11 +244,34 @@ class PredicatesTest {
   }
 
   @Test
+  void nothingIsRoundedOnALattice() {
+    assertThat(orientStages(Hard.ULPS_AT_ONE)).containsOnlyKeys(Stage.FILTER, Stage.UNROUNDED);
+    assertThat(inCircleStages(Hard.ULPS_AT_ONE)).containsOnlyKeys(Stage.FILTER, Stage.UNROUNDED);
+  }
+
+  @Test
+  void twiceTheDigitsDecideOnACircle() {
+    Random random = new Random(9);
+    Map<Stage, Integer> stages = new EnumMap<>(Stage.class);
+    for (int k = 0; k < 10_000; k++) {
+      double[] v = new double[8];
+      for (int i = 0; i < 4; i++) {
+        double angle = 2 * Math.PI * random.nextDouble();
+        v[2 * i] = Math.cos(angle);
+        v[2 * i + 1] = Math.sin(angle);
+      }
+      stages.merge(inCircleStage(v), 1, Integer::sum);
+    }
+    assertThat(stages.get(Stage.TWOFOLD)).isGreaterThan(5_000);
+    assertThat(stages).containsOnlyKeys(Stage.FILTER, Stage.TWOFOLD);
+  }
+
+  @Test
   void theExpansionDecidesCloseCases() {
-    assertThat(orientStages(Hard.ULPS_AT_ONE)).containsKeys(Stage.EXPANSION);
-    assertThat(inCircleStages(Hard.ULPS_AT_ONE)).containsKeys(Stage.EXPANSION);
-    assertThat(orientStages(Hard.ULPS_AT_ONE)).doesNotContainKey(Stage.BIG_DECIMAL);
-    assertThat(inCircleStages(Hard.ULPS_AT_ONE)).doesNotContainKey(Stage.BIG_DECIMAL);
+    assertThat(orientStages(Hard.TENTHS)).containsKeys(Stage.EXPANSION);
+    assertThat(inCircleStages(Hard.TENTHS)).containsKeys(Stage.EXPANSION);
+    assertThat(orientStages(Hard.TENTHS)).doesNotContainKey(Stage.BIG_DECIMAL);
+    assertThat(inCircleStages(Hard.TENTHS)).doesNotContainKey(Stage.BIG_DECIMAL);
   }
 
   @Test
@@ -263,7 +293,8 @@ class PredicatesTest {
       o.forEach((stage, count) -> orient.merge(stage, count, Integer::sum));
       c.forEach((stage, count) -> inCircle.merge(stage, count, Integer::sum));
     }
-    assertThat(orient).containsOnlyKeys(Stage.values());
+    assertThat(orient)
+        .containsOnlyKeys(Stage.FILTER, Stage.UNROUNDED, Stage.EXPANSION, Stage.BIG_DECIMAL);
     assertThat(inCircle).containsOnlyKeys(Stage.values());
   }
 
@@ -282,12 +313,13 @@ class PredicatesTest {
     Map<Stage, Integer> stages = new EnumMap<>(Stage.class);
     for (int k = 0; k < 10_000; k++) {
       double[] v = draw(8, () -> hard.next(random));
-      stages.merge(
-          Predicates.inCircleStage(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]),
-          1,
-          Integer::sum);
+      stages.merge(inCircleStage(v), 1, Integer::sum);
     }
     return stages;
+  }
+
+  private static Stage inCircleStage(double[] v) {
+    return Predicates.inCircleStage(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]);
   }
 
   private static double[] draw(int count, DoubleSupplier next) {
