@@ -21,8 +21,7 @@ public final class Comparison {
 
   private Comparison() {}
 
-  public static void main(String[] args)
-      throws IOException, InterruptedException, CannotWriteException {
+  public static void main(String[] args) throws IOException, CannotWriteException {
     Locale.setDefault(Locale.ROOT);
     Set<String> parts = new TreeSet<>();
     List<Path> files = new ArrayList<>();
@@ -40,7 +39,7 @@ public final class Comparison {
   }
 
   private static void print(Set<String> parts, int largest, List<Path> files)
-      throws IOException, InterruptedException, CannotWriteException {
+      throws IOException, CannotWriteException {
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     machine(out);
     if (parts.contains("sites")) {

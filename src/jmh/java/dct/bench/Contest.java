@@ -13,7 +13,7 @@ final class Contest {
   private static final double ROUNDS_SECONDS = 2.5; // for all rounds of one input
   private static final int MOST_ROUNDS = 400;
   private static final int WARM_UP = 3; // runs at least
-  private static final double WARM_UP_SECONDS = 2.5; // and at least so long
+  private static final double WARM_UP_SECONDS = 1.5; // and at least so long
   private static final double SLOW_SECONDS = 1; // no warm-up beyond the check from here on
 
   /** Tells what is wrong with the result of the contender of this number, if anything. */

@@ -12,6 +12,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Triangulations of simple polygons: ours and those of the peers. Our monotone triangulation is
@@ -27,6 +28,9 @@ final class PolygonComparison {
           PolygonShape.ORTHOGONAL,
           PolygonShape.SPANNING_TREE);
   private static final int SMALLEST = 100;
+  private static final int PROBED = 100_000; // so many vertices may keep a peer from coming back
+  private static final int OURS = 3; // the first contenders
+  private static final long SEED = 1;
 
   private final PrintStream out;
   private final int largest;
@@ -72,7 +76,7 @@ final class PolygonComparison {
     for (PolygonShape shape : SHAPES) {
       Pace pace = new Pace(contenders(triangle).size());
       for (int n = SMALLEST; n <= largest; n *= 10) {
-        Outcome[] outcomes = contest(shape.generate(n, 1), pace.sittingOut());
+        Outcome[] outcomes = contest(shape.generate(n, SEED), sittingOut(shape, n, pace));
         table.row("%s %,d".formatted(shape.title(), n), outcomes);
         pace.note(outcomes);
       }
@@ -83,6 +87,23 @@ final class PolygonComparison {
       String[] all = new String[contenders(polygon).size()];
       table.row("%s %,d".formatted(name, polygon.size()), contest(polygon, all));
     }
+  }
+
+  private static String[] sittingOut(PolygonShape shape, int n, Pace pace) {
+    String[] remarks = pace.sittingOut();
+    for (int c = OURS; n >= PROBED && c < remarks.length; c++) {
+      remarks[c] = remarks[c] == null ? Probe.remark(shape, n, c) : remarks[c];
+    }
+    return remarks;
+  }
+
+  /** What is wrong with the result of one contender on a polygon of this shape, if anything. */
+  static Optional<String> problem(PolygonShape shape, int n, int contender) throws Exception {
+    SimplePolygon polygon = shape.generate(n, SEED);
+    double[] x = polygon.points().xs();
+    double[] y = polygon.points().ys();
+    return TriangleCheck.ofPolygon(
+        x, y, contenders(polygon).get(contender).maker().triangles(x, y));
   }
 
   /** The vertices counter-clockwise, as some peers want them. */

@@ -1,5 +1,6 @@
 package dct.bench;
 
+import dct.experiment.generate.PolygonShape;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -8,16 +9,25 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * One contender on one set of sites in a process of its own, which is ended when it takes too long:
- * some peers never come back from sets that break floating point.
+ * One contender on one input in a process of its own, which is ended when it takes too long: some
+ * peers never come back from sets that break floating point, or from large polygons.
  */
 final class Probe {
   private static final int LIMIT_SECONDS = 20;
 
   private Probe() {}
 
-  /** What is wrong, or null. */
-  static String remark(String family, int contender) {
+  /** What is wrong with a contender on a set of sites that breaks floating point, or null. */
+  static String remark(SiteFamily family, int contender) {
+    return remark(family.title(), "0", contender);
+  }
+
+  /** What is wrong with a contender on a polygon of this shape, or null. */
+  static String remark(PolygonShape shape, int n, int contender) {
+    return remark(shape.word(), String.valueOf(n), contender);
+  }
+
+  private static String remark(String input, String n, int contender) {
     try {
       Process process =
           new ProcessBuilder(
@@ -25,7 +35,8 @@ final class Probe {
                   "-cp",
                   System.getProperty("java.class.path"),
                   Probe.class.getName(),
-                  family,
+                  input,
+                  n,
                   String.valueOf(contender))
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
@@ -42,9 +53,13 @@ final class Probe {
 
   public static void main(String[] args) throws Exception {
     Locale.setDefault(Locale.ROOT);
-    SiteFamily family =
-        SiteFamily.all().stream().filter(f -> f.title().equals(args[0])).findFirst().orElseThrow();
-    Optional<String> problem = SiteComparison.problem(family.make(0), Integer.parseInt(args[1]));
+    int n = Integer.parseInt(args[1]);
+    int contender = Integer.parseInt(args[2]);
+    Optional<PolygonShape> shape = PolygonShape.of(args[0]);
+    Optional<String> problem =
+        shape.isPresent()
+            ? PolygonComparison.problem(shape.get(), n, contender)
+            : SiteComparison.problem(SiteFamily.of(args[0]).make(n), contender);
     System.out.println(problem.orElse(""));
   }
 }

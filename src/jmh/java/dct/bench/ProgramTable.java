@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** The program as a process of its own: its time from start to end, and the heap it needs. */
 final class ProgramTable {
@@ -26,8 +27,18 @@ final class ProgramTable {
     this.out = out;
   }
 
-  void run() throws IOException, InterruptedException, CannotWriteException {
+  void run() throws IOException, CannotWriteException {
     Path folder = Files.createTempDirectory("dct");
+    try {
+      print(folder);
+    } finally {
+      try (Stream<Path> left = Files.walk(folder)) {
+        left.map(Path::toFile).forEach(File::deleteOnExit); // the last one first
+      }
+    }
+  }
+
+  private void print(Path folder) throws CannotWriteException {
     Path ten = folder.resolve("ten_polygonbased.txt");
     PointFile.write(ten, Domain.POLYGON, PolygonShape.STAR_SHAPED.generate(10, 1).points());
     Path many = folder.resolve("many_pointbased.txt");

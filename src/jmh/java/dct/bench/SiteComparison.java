@@ -61,7 +61,7 @@ final class SiteComparison {
         double[][] points = family.make(0);
         String name = "%s %,d".formatted(family.title(), points[0].length);
         String[] remarks = new String[CONTENDERS.size()];
-        Arrays.setAll(remarks, c -> Probe.remark(family.title(), c));
+        Arrays.setAll(remarks, c -> Probe.remark(family, c));
         table.row(name, contest(points, remarks));
       }
     }

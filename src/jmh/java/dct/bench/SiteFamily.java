@@ -36,6 +36,11 @@ record SiteFamily(String title, boolean isNasty, Maker maker) {
         nasty("each twice", r -> twice(5_000, r)));
   }
 
+  /** The one with this title. */
+  static SiteFamily of(String title) {
+    return all().stream().filter(f -> f.title().equals(title)).findFirst().orElseThrow();
+  }
+
   /** Coordinates, [0] being x and [1] y. */
   @FunctionalInterface
   interface Maker {
