@@ -12,6 +12,8 @@ import java.util.Optional;
 final class Contest {
   private static final double ROUNDS_SECONDS = 2.5; // for all rounds of one input
   private static final int MOST_ROUNDS = 400;
+  private static final int LEAST_ROUNDS = 5;
+  private static final double LONG_ROUND = 0.1; // seconds; from here on each starts on a clean heap
   private static final int WARM_UP = 3; // runs at least
   private static final double WARM_UP_SECONDS = 1.5; // and at least so long
   private static final double SLOW_SECONDS = 1; // no warm-up beyond the check from here on
@@ -94,10 +96,13 @@ final class Contest {
     for (int c : timed) {
       warmUp(c);
     }
-    int rounds = (int) Math.max(1, Math.min(MOST_ROUNDS, ROUNDS_SECONDS / Math.max(round, 1e-3)));
+    int rounds = (int) Math.max(LEAST_ROUNDS, Math.min(MOST_ROUNDS, ROUNDS_SECONDS / round));
     double[][] seconds = new double[outcomes.length][rounds];
     for (int r = 0; r < rounds; r++) {
       for (int c : timed) {
+        if (round > LONG_ROUND) {
+          System.gc(); // what one leaves behind is not to be collected in the time of the next
+        }
         seconds[c][r] = seconds(c);
       }
     }
