@@ -9,10 +9,10 @@ import dct.core.geometry.Sites;
  * the circle through the corners of any triangle. Exactly so, for every input.
  *
  * <p>Divide and conquer of Guibas and Stolfi (1985) with cuts alternating between the axes (Dwyer
- * 1987): O(n log n) time, O(n) space. Large parts are computed in parallel; each part numbers its
- * edges within a range of its own, so that the result does not depend on the number of threads.
- * Among cocircular sites the edge kept is the one that the merge meets first, from the lower common
- * tangent upwards.
+ * 1987), along the cells of a grid as far as these go: O(n log n) time, O(n) space. Large parts are
+ * computed in parallel; each part numbers its edges within a range of its own, so that the result
+ * does not depend on the number of threads. Among cocircular sites the edge kept is the one that
+ * the merge meets first, from the lower common tangent upwards.
  *
  * <p>Edges are numbered part by part, which is an order from place to neighbouring place; {@link
  * dct.core.degree.ScanFlip} visits them in it.

@@ -20,7 +20,7 @@ final class DelaunayMerge {
 
   final int[] next;
   final int[] prev;
-  private final int[] origin; // a place in the kd-order
+  private final int[] origin; // a place in the order
   private final KdOrder order;
   private final double[] x;
   private final double[] y;
