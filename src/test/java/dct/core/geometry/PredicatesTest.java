@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.geometry.Predicates.Stage;
 import java.math.BigDecimal;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleSupplier;
@@ -13,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The predicates against decimal arithmetic, or against long integers where the coordinates are
@@ -222,6 +225,33 @@ class PredicatesTest {
         assertThat(sign).as("inCircle %s", Arrays.toString(v)).isEqualTo(longInCircle(v));
       }
     }
+  }
+
+  /** Circles with many whole points, from small ones to those whose fourth powers are rounded. */
+  @ParameterizedTest
+  @ValueSource(ints = {5, 65, 325, 1105, 5525, 32_045, 1_185_665})
+  void inCircleIsZeroOnAWholeCircle(int radius) {
+    List<double[]> circle = wholePoints(radius);
+    Random random = new Random(10);
+    for (int k = 0; k < 20_000; k++) {
+      double[] a = circle.get(random.nextInt(circle.size()));
+      double[] b = circle.get(random.nextInt(circle.size()));
+      double[] c = circle.get(random.nextInt(circle.size()));
+      double[] d = circle.get(random.nextInt(circle.size()));
+      assertThat(Predicates.inCircle(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])).isZero();
+    }
+  }
+
+  private static List<double[]> wholePoints(int radius) {
+    List<double[]> points = new ArrayList<>();
+    for (long x = -radius; x <= radius; x++) {
+      long y = Math.round(Math.sqrt((double) radius * radius - x * x));
+      if (x * x + y * y == (long) radius * radius) {
+        points.add(new double[] {x, y});
+        points.add(new double[] {x, -y});
+      }
+    }
+    return points;
   }
 
   @Test
