@@ -19,9 +19,7 @@ final class Expansion {
   /** a − b, exactly. */
   static Expansion difference(double a, double b) {
     double high = a - b;
-    double bVirtual = a - high;
-    double low = (a - (high + bVirtual)) + (bVirtual - b);
-    return ofTwo(low, high);
+    return ofTwo(twoSumTail(a, -b, high), high);
   }
 
   private static Expansion ofTwo(double low, double high) {
@@ -102,7 +100,8 @@ final class Expansion {
     return new Expansion(result, k);
   }
 
-  private static double twoSumTail(double a, double b, double sum) {
+  /** What a + b lost when it was rounded to {@code sum}, exactly (Knuth's two-sum). */
+  static double twoSumTail(double a, double b, double sum) {
     double bVirtual = sum - a;
     return (a - (sum - bVirtual)) + (b - bVirtual);
   }

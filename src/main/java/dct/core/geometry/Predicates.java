@@ -85,8 +85,7 @@ public final class Predicates {
 
   /** Whether a − b did not have to be rounded. */
   private static boolean isExact(double a, double b, double difference) {
-    double bVirtual = a - difference;
-    return (a - (difference + bVirtual)) + (bVirtual - b) == 0;
+    return Expansion.twoSumTail(a, -b, difference) == 0;
   }
 
   /**

@@ -12,8 +12,7 @@ record Twofold(double high, double low) {
   /** a − b, exactly. */
   static Twofold difference(double a, double b) {
     double high = a - b;
-    double bVirtual = a - high;
-    return new Twofold(high, (a - (high + bVirtual)) + (bVirtual - b));
+    return new Twofold(high, Expansion.twoSumTail(a, -b, high));
   }
 
   Twofold times(Twofold that) {
@@ -24,8 +23,7 @@ record Twofold(double high, double low) {
 
   Twofold plus(Twofold that) {
     double sum = high + that.high;
-    double thatVirtual = sum - high;
-    double tail = (high - (sum - thatVirtual)) + (that.high - thatVirtual);
+    double tail = Expansion.twoSumTail(high, that.high, sum);
     return renormalized(sum, tail + (low + that.low));
   }
 
