@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.geometry.Box;
 import java.util.Arrays;
 
 /** Things in a row, cut into runs of {@value #SIZE}; each run has the box of what is in it. */

@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.geometry.Box;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
 import java.awt.Graphics2D;

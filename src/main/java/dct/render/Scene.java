@@ -5,6 +5,7 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;

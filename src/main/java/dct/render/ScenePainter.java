@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.render.Pen.Anchor;
 import java.util.EnumSet;

@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.geometry.Box;
 import java.util.Objects;
 
 /**

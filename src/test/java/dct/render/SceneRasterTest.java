@@ -3,6 +3,7 @@ package dct.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;

@@ -1,5 +1,6 @@
 package dct.core.triangulate;
 
+import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 
 /**
@@ -19,22 +20,13 @@ final class CellNumbers {
   private final boolean endsWithX; // the last halving is between left and right
 
   CellNumbers(Points points, int levels) {
-    double minX = Double.POSITIVE_INFINITY;
-    double maxX = Double.NEGATIVE_INFINITY;
-    double minY = minX;
-    double maxY = maxX;
-    for (int i = 0; i < points.size(); i++) {
-      minX = Math.min(minX, points.x(i));
-      maxX = Math.max(maxX, points.x(i));
-      minY = Math.min(minY, points.y(i));
-      maxY = Math.max(maxY, points.y(i));
-    }
-    left = minX;
-    bottom = minY;
+    Box box = Box.of(points);
+    left = box.minX();
+    bottom = box.minY();
     columns = 1 << ((levels + 1) / 2);
     rows = 1 << (levels / 2);
-    perX = columns / (maxX - minX);
-    perY = rows / (maxY - minY);
+    perX = columns / (box.maxX() - box.minX());
+    perY = rows / (box.maxY() - box.minY());
     endsWithX = (levels & 1) == 1;
   }
 

@@ -1,5 +1,6 @@
 package dct.core.triangulate;
 
+import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 
 /**
@@ -26,15 +27,15 @@ final class ReflexGrid {
   ReflexGrid(Points points, boolean[] isReflex) {
     this.points = points;
     this.isReflex = isReflex;
-    double[] box = box(points);
+    Box box = Box.of(points);
     int wanted = Math.max(1, count(isReflex));
-    double width = box[2] - box[0];
-    double height = box[3] - box[1];
+    double width = box.maxX() - box.minX();
+    double height = box.maxY() - box.minY();
     double aspect = Math.sqrt(wanted * (width / height));
     columns = Math.max(1, (int) Math.min(wanted, aspect)); // 1 if the aspect is not a number
     rows = Math.max(1, wanted / columns);
-    minX = box[0];
-    minY = box[1];
+    minX = box.minX();
+    minY = box.minY();
     columnsPerUnit = perUnit(columns, width);
     rowsPerUnit = perUnit(rows, height);
     start = new int[columns * rows + 1];
@@ -53,17 +54,6 @@ final class ReflexGrid {
       count += flag ? 1 : 0;
     }
     return count;
-  }
-
-  private static double[] box(Points points) {
-    double[] box = {points.x(0), points.y(0), points.x(0), points.y(0)};
-    for (int v = 1; v < points.size(); v++) {
-      box[0] = Math.min(box[0], points.x(v));
-      box[1] = Math.min(box[1], points.y(v));
-      box[2] = Math.max(box[2], points.x(v));
-      box[3] = Math.max(box[3], points.y(v));
-    }
-    return box;
   }
 
   /** Counting sort of the reflex vertices by cell. */

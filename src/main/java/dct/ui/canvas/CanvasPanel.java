@@ -1,8 +1,8 @@
 package dct.ui.canvas;
 
 import com.formdev.flatlaf.FlatLaf;
+import dct.core.geometry.Box;
 import dct.core.geometry.Points;
-import dct.render.Box;
 import dct.render.Caption;
 import dct.render.GraphicsPen;
 import dct.render.Ink;

@@ -1,6 +1,4 @@
-package dct.render;
-
-import dct.core.geometry.Points;
+package dct.core.geometry;
 
 /**
  * A rectangle with sides along the axes.
@@ -55,7 +53,7 @@ public record Box(double minX, double minY, double maxX, double maxY) {
   }
 
   /** Whether a segment with these ends can meet this box; true for every one that does. */
-  boolean mayMeet(double x1, double y1, double x2, double y2) {
+  public boolean mayMeet(double x1, double y1, double x2, double y2) {
     return Math.max(x1, x2) >= minX
         && Math.min(x1, x2) <= maxX
         && Math.max(y1, y2) >= minY
@@ -63,7 +61,7 @@ public record Box(double minX, double minY, double maxX, double maxY) {
   }
 
   /** Whether this box holds the point, its border included. */
-  boolean holds(double x, double y) {
+  public boolean holds(double x, double y) {
     return x >= minX && x <= maxX && y >= minY && y <= maxY;
   }
 
@@ -75,7 +73,7 @@ public record Box(double minX, double minY, double maxX, double maxY) {
   }
 
   /** This box with every side moved outwards. */
-  Box grown(double by) {
+  public Box grown(double by) {
     return new Box(minX - by, minY - by, maxX + by, maxY + by);
   }
 }
