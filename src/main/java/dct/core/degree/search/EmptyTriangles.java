@@ -1,5 +1,6 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
 import java.util.Arrays;
 
 /**

@@ -1,5 +1,7 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
+
 /**
  * Turns the diagonals of all rectangles of two triangles the same way: up to the right, or flat.
  *

@@ -1,5 +1,9 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
+import dct.core.degree.region.SearchRandom;
+import dct.core.degree.region.VertexList;
+
 /**
  * Lays a path along edges of a {@link SearchMesh} from a vertex to both sides, each vertex coming
  * after the one before it in an order, at about the height of the first. O(1) time an edge where

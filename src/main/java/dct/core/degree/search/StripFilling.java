@@ -1,5 +1,8 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
+import dct.core.degree.region.VertexList;
+
 /**
  * Writes the triangles of a sweep into a {@link SearchMesh}, in place of those that a strip had: it
  * goes the moves again, and keeps for each edge of the path the half-edge below it. Linear time.

@@ -1,5 +1,7 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
+
 /**
  * One of four orders of the vertices of a mesh: that by x, then y, and the same with the plane
  * turned by one to three right angles. Each is that of a sweep line turned by an infinitesimal

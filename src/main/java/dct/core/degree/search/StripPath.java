@@ -1,5 +1,7 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchMesh;
+import dct.core.degree.region.VertexList;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 

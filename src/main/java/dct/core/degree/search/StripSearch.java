@@ -2,6 +2,9 @@ package dct.core.degree.search;
 
 import static java.util.Comparator.comparingInt;
 
+import dct.core.degree.region.SearchClock;
+import dct.core.degree.region.SearchMesh;
+import dct.core.degree.region.SearchRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,5 +1,8 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchClock;
+import dct.core.degree.region.SearchMesh;
+import dct.core.degree.region.SearchRandom;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,5 +1,6 @@
 package dct.core.degree.search;
 
+import dct.core.degree.region.SearchRandom;
 import java.util.Arrays;
 
 /** The states that can follow those of one layer of a sweep, each once, and the best of them. */

@@ -8,7 +8,7 @@ import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.search.PolygonImprover;
+import dct.core.degree.region.PolygonImprover;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.MonotoneTriangulation;

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 /**
  * The best triangulation of a small polygon, given the parities outside it: exact.

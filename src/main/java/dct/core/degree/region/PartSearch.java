@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 /**
  * Makes vertices satisfied in one part of a {@link SearchMesh}: those numbered from {@code lo} to
@@ -15,7 +15,7 @@ package dct.core.degree.search;
  * partner, or the same one reached by another way, will do; so partners are drawn more freely the
  * longer nothing helps.
  */
-final class PartSearch {
+public final class PartSearch {
   private static final int SIZE = 10; // vertices of a region
   private static final int CHECK_EVERY = 32; // steps between two looks at the clock
   private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
@@ -42,7 +42,7 @@ final class PartSearch {
   private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
   private int second; // the one after it, or NONE
 
-  PartSearch(SearchMesh mesh, SearchRandom random, SearchClock clock, int lo, int hi) {
+  public PartSearch(SearchMesh mesh, SearchRandom random, SearchClock clock, int lo, int hi) {
     this.mesh = mesh;
     this.random = random;
     this.clock = clock;
@@ -63,7 +63,7 @@ final class PartSearch {
   }
 
   /** How many vertices of the part are unsatisfied. */
-  int unsatisfied() {
+  public int unsatisfied() {
     return unsatisfied;
   }
 
@@ -71,7 +71,7 @@ final class PartSearch {
    * Re-solves a region around each vertex that is unsatisfied when its turn comes, as long as more
    * than {@code enough} are.
    */
-  void sweep(int enough) {
+  public void sweep(int enough) {
     for (int v = lo; v < hi && unsatisfied > enough && !isOver(); v++) {
       if (mesh.isUnsatisfied(v) && region.open(mesh.halfEdgeAt(v, random))) {
         region.grow(SIZE);
@@ -88,7 +88,7 @@ final class PartSearch {
    * Walks unsatisfied vertices towards each other, round by round, until no more than {@code
    * enough} are left or {@code patience} rounds in a row have not helped.
    */
-  void pairUp(int enough, int patience) {
+  public void pairUp(int enough, int patience) {
     collect();
     int idle = 0;
     while (unsatisfied > enough && idle < patience && !clock.isOver()) {

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 /**
  * A simple polygon of a few vertices, grown triangle by triangle in a {@link SearchMesh} and filled

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

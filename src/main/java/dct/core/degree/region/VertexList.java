@@ -1,34 +1,34 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /** A growing list of vertices, or of half-edges, reused from round to round. */
-final class VertexList {
+public final class VertexList {
   private int[] items = new int[64];
   private int size;
 
-  int size() {
+  public int size() {
     return size;
   }
 
-  int get(int i) {
+  public int get(int i) {
     return items[i];
   }
 
-  int last() {
+  public int last() {
     return items[size - 1];
   }
 
-  int removeLast() {
+  public int removeLast() {
     return items[--size];
   }
 
-  void clear() {
+  public void clear() {
     size = 0;
   }
 
-  void add(int v) {
+  public void add(int v) {
     if (size == items.length) {
       items = Arrays.copyOf(items, 2 * size);
     }
@@ -36,7 +36,7 @@ final class VertexList {
   }
 
   /** The items in order. */
-  IntStream stream() {
+  public IntStream stream() {
     return Arrays.stream(items, 0, size);
   }
 

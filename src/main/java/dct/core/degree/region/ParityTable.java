@@ -1,4 +1,4 @@
-package dct.core.degree.exact;
+package dct.core.degree.region;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;

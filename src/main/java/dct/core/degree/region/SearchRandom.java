@@ -1,37 +1,37 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 /**
  * Random choices of a search: the same on every machine for the same seed.
  *
  * <p>SplitMix64 (Steele, Lea and Flood 2014). Not for several threads at once.
  */
-final class SearchRandom {
+public final class SearchRandom {
   private static final long STEP = 0x9E3779B97F4A7C15L; // 2^64 over the golden ratio
 
   private long counter;
 
-  SearchRandom(long seed) {
+  public SearchRandom(long seed) {
     counter = seed;
   }
 
   /** A stream of its own for part {@code index} of round {@code round}. */
-  static SearchRandom of(long seed, int round, int index) {
+  public static SearchRandom of(long seed, int round, int index) {
     return new SearchRandom(mix(mix(seed + STEP * round) + STEP * index));
   }
 
   /** The next 32 random bits. */
-  int nextInt() {
+  public int nextInt() {
     counter += STEP;
     return (int) (mix(counter) >>> 32);
   }
 
   /** A random number from 0 to {@code bound} − 1, as good as uniform for small bounds. */
-  int below(int bound) {
+  public int below(int bound) {
     return (int) (((nextInt() & 0xFFFFFFFFL) * bound) >>> 32);
   }
 
   /** A random number from 0, included, to 1, excluded. */
-  double fraction() {
+  public double fraction() {
     return (nextInt() >>> 1) * 0x1p-31;
   }
 

@@ -1,9 +1,8 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
-import dct.core.degree.exact.ParityTable;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.EdgeKind;

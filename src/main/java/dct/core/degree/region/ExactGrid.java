@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 /**
  * Whether coordinates lie on so coarse a grid that the determinant of an orientation test has no

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import dct.core.dcel.Dcel;
 import java.util.Arrays;

@@ -1,11 +1,10 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.PartitioningAqt;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.exact.ParityTable;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.MonotoneTriangulation;

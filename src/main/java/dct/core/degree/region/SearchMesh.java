@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
@@ -16,25 +16,25 @@ import java.util.stream.IntStream;
  * rewrites the triangles of a region in place. Regions without a vertex in common may be rewritten
  * by different threads at once: none of the array elements they touch is the same.
  */
-final class SearchMesh {
+public final class SearchMesh {
   /** In place of a half-edge: there is none beyond the hull. */
-  static final int NONE = -1;
+  public static final int NONE = -1;
 
   private static final int TURNS = 8; // at most, around a vertex
 
-  final double[] x;
-  final double[] y;
-  final int[] corner; // by half-edge: the vertex that it leaves
-  final int[] twin; // by half-edge: the same edge from the other side, or NONE
-  final int[] out; // by vertex: a half-edge that leaves it
-  final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
-  final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
+  public final double[] x;
+  public final double[] y;
+  public final int[] corner; // by half-edge: the vertex that it leaves
+  public final int[] twin; // by half-edge: the same edge from the other side, or NONE
+  public final int[] out; // by vertex: a half-edge that leaves it
+  public final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
+  public final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
   private final int[] free; // the vertices of which nothing is wished, in order
   private final int[] site; // by vertex: its number among the sites
   private final boolean plain; // determinants in floating point have no rounding error
 
   /** The triangulation, which has at least one triangle, with what is wished of it. */
-  SearchMesh(Triangulation start, ParityGoal goal, int unit) {
+  public SearchMesh(Triangulation start, ParityGoal goal, int unit) {
     site = HilbertOrder.of(start.points());
     int n = site.length;
     x = new double[n];
@@ -78,27 +78,27 @@ final class SearchMesh {
   }
 
   /** The number of vertices. */
-  int size() {
+  public int size() {
     return x.length;
   }
 
   /** The half-edge after e around its triangle. */
-  static int next(int e) {
+  public static int next(int e) {
     return (e & ~3) | ((0b001001 >> ((e & 3) << 1)) & 3);
   }
 
   /** The half-edge before e around its triangle. */
-  static int prev(int e) {
+  public static int prev(int e) {
     return (e & ~3) | ((0b010010 >> ((e & 3) << 1)) & 3);
   }
 
   /** Whether v counts as unsatisfied. */
-  boolean isUnsatisfied(int v) {
+  public boolean isUnsatisfied(int v) {
     return wrong[v] != 0 && weight[v] != 0;
   }
 
   /** How many vertices are unsatisfied, in linear time. */
-  int unsatisfied() {
+  public int unsatisfied() {
     int count = 0;
     for (int v = 0; v < wrong.length; v++) {
       count += isUnsatisfied(v) ? 1 : 0;
@@ -107,7 +107,7 @@ final class SearchMesh {
   }
 
   /** A half-edge from v, a few random steps around it. */
-  int halfEdgeAt(int v, SearchRandom random) {
+  public int halfEdgeAt(int v, SearchRandom random) {
     int e = out[v];
     boolean clockwise = false;
     for (int r = random.below(TURNS); r > 0; r--) {
@@ -122,7 +122,7 @@ final class SearchMesh {
   }
 
   /** Makes a list of half-edges, one for each edge at v. */
-  void collectEdges(int v, VertexList edges) {
+  public void collectEdges(int v, VertexList edges) {
     edges.clear();
     int first = clockwiseMost(v);
     int e = first;
@@ -166,7 +166,7 @@ final class SearchMesh {
   }
 
   /** Whether the turn from a by b to c is strictly to the left. */
-  boolean isLeftTurn(double ax, double ay, double bx, double by, double cx, double cy) {
+  public boolean isLeftTurn(double ax, double ay, double bx, double by, double cx, double cy) {
     if (plain) {
       return (ax - cx) * (by - cy) > (ay - cy) * (bx - cx);
     }
@@ -184,7 +184,7 @@ final class SearchMesh {
    *       d                d
    * </pre>
    */
-  void flip(int e) {
+  public void flip(int e) {
     int t = twin[e];
     int bc = next(e);
     int ca = prev(e);
@@ -218,7 +218,7 @@ final class SearchMesh {
   }
 
   /** Makes two half-edges twins; the second may be NONE. */
-  void link(int e, int other) {
+  public void link(int e, int other) {
     twin[e] = other;
     if (other != NONE) {
       twin[other] = e;
@@ -226,14 +226,14 @@ final class SearchMesh {
   }
 
   /** The square of the distance between two vertices. */
-  double squaredDistance(int u, int v) {
+  public double squaredDistance(int u, int v) {
     double dx = x[u] - x[v];
     double dy = y[u] - y[v];
     return dx * dx + dy * dy;
   }
 
   /** This mesh as a triangulation of the sites in their own numbers, in linear time. */
-  Triangulation toTriangulation(Triangulation start) {
+  public Triangulation toTriangulation(Triangulation start) {
     return new MeshExport(this, site).toTriangulation(start);
   }
 }

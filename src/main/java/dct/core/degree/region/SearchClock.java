@@ -1,20 +1,20 @@
-package dct.core.degree.search;
+package dct.core.degree.region;
 
 import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.degree.SearchLimits;
 
 /** Tells a search when to stop, and the user how far it is; may be asked by several threads. */
-final class SearchClock {
+public final class SearchClock {
   private final Progress progress; // cancelled when the time is up, too
   private volatile boolean struck;
 
-  SearchClock(SearchLimits limits, Progress progress) {
+  public SearchClock(SearchLimits limits, Progress progress) {
     this.progress = new Deadline(progress, limits.seconds());
   }
 
   /** Whether the user or the limit of time has ended the search; once true, always true. */
-  boolean isOver() {
+  public boolean isOver() {
     if (!struck && progress.isCancelled()) {
       struck = true;
     }
@@ -22,12 +22,12 @@ final class SearchClock {
   }
 
   /** Whether {@link #isOver} was ever true: the search did not do all it would have done. */
-  boolean struck() {
+  public boolean struck() {
     return struck;
   }
 
   /** Tells the user the best count so far. */
-  void report(double fraction, int unsatisfied) {
+  public void report(double fraction, int unsatisfied) {
     progress.report(fraction, "Best so far: " + unsatisfied + " unsatisfied");
   }
 }
