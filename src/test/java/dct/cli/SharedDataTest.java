@@ -2,17 +2,17 @@ package dct.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.testing.ForeignDataTest;
 import dct.testing.SharedData;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Every file of the shared data through the command line. */
 class SharedDataTest {
   @TempDir Path folder;
 
-  @Test
+  @ForeignDataTest
   void every_polygon_is_checked_triangulated_and_verified() {
     List<Path> files = SharedData.files("polygons");
     assertThat(files).isNotEmpty();
@@ -25,7 +25,7 @@ class SharedDataTest {
     }
   }
 
-  @Test
+  @ForeignDataTest
   void every_set_of_sites_is_checked_triangulated_and_verified() {
     List<Path> files = SharedData.files("points");
     assertThat(files).isNotEmpty();
@@ -43,7 +43,7 @@ class SharedDataTest {
     }
   }
 
-  @Test
+  @ForeignDataTest
   void every_polygon_that_is_not_simple_is_refused_with_its_line() {
     List<Path> files = SharedData.files("not_simple");
     assertThat(files).isNotEmpty();

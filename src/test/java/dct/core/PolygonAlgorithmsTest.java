@@ -3,6 +3,7 @@ package dct.core;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.geometry.Points;
+import dct.testing.ForeignDataTest;
 import dct.testing.RandomPolygons;
 import dct.testing.RandomPolygons.Family;
 import dct.testing.SharedData;
@@ -144,7 +145,7 @@ class PolygonAlgorithmsTest {
         });
   }
 
-  @Test
+  @ForeignDataTest
   void everySharedPolygon() {
     List<Path> files = SharedData.files("polygons");
     assertThat(files).hasSizeGreaterThan(60);

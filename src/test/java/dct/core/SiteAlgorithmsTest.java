@@ -10,6 +10,7 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.testing.ForeignDataTest;
 import dct.testing.RandomSets;
 import dct.testing.RandomSets.Family;
 import dct.testing.SharedData;
@@ -180,7 +181,7 @@ class SiteAlgorithmsTest {
         });
   }
 
-  @Test
+  @ForeignDataTest
   void everySharedSet() {
     List<Path> files = SharedData.files("points");
     assertThat(files).hasSizeGreaterThan(50);

@@ -2,29 +2,45 @@ package dct.testing;
 
 import dct.core.geometry.Points;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Assumptions;
 
-/** Figures from files: the project's samples, and the shared data where they are at hand. */
+/**
+ * Test data: the project's samples and tables, and public files where they are at hand, for {@link
+ * ForeignDataTest}.
+ */
 public final class SharedData {
   private static final int PARENTS = 3;
 
   private SharedData() {}
 
-  /**
-   * The text files of a folder of {@code ../shared/data}, looked for from the project's root
-   * upwards; the calling test is skipped, saying so, where there is none.
-   */
+  /** The text files of a folder of {@code ../shared/data}. */
   public static List<Path> files(String folder) {
-    Optional<Path> found = find(Path.of("shared", "data", folder));
-    Assumptions.assumeTrue(
-        found.isPresent(), () -> "skipped: no folder ../shared/data/" + folder + " here");
-    return textFiles(found.get());
+    return textFiles(folder().orElseThrow().resolve(folder));
+  }
+
+  /**
+   * The cells of each row of a table in {@code src/test/resources/dct/testing}, its comments and
+   * its header left out.
+   */
+  public static List<String[]> table(String name, String separator) {
+    return lines(name).skip(1).map(line -> line.split(separator, -1)).toList();
+  }
+
+  /** The lines of a text in {@code src/test/resources/dct/testing}, its comments left out. */
+  public static Stream<String> lines(String name) {
+    try (InputStream in = SharedData.class.getResourceAsStream(name)) {
+      String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      return text.lines().filter(line -> !line.startsWith("#"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /**
@@ -37,7 +53,9 @@ public final class SharedData {
         .toList();
   }
 
-  private static Optional<Path> find(Path relative) {
+  /** The folder {@code ../shared/data}, looked for from the project's root upwards. */
+  static Optional<Path> folder() {
+    Path relative = Path.of("shared", "data");
     Path from = Path.of("").toAbsolutePath();
     for (int up = 0; up < PARENTS && from.getParent() != null; up++) {
       from = from.getParent();

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dct.core.geometry.Defect.Kind;
 import dct.testing.ExactArea;
+import dct.testing.ForeignDataTest;
 import dct.testing.RandomPolygons;
 import dct.testing.SharedData;
 import dct.testing.SimplicityOracle;
@@ -194,7 +195,7 @@ class SimplicityCheckTest {
             e -> assertThat(e.defect().kind()).isEqualTo(Kind.CROSSING));
   }
 
-  @Test
+  @ForeignDataTest
   void refusesEverySharedFileThatIsNotSimple() {
     for (Path file : SharedData.files("not_simple")) {
       Points p = SharedData.read(file);
@@ -203,7 +204,7 @@ class SimplicityCheckTest {
     }
   }
 
-  @Test
+  @ForeignDataTest
   void acceptsEverySharedPolygonAndNamesOneSpoiltEdge() {
     for (Path file : SharedData.files("polygons")) {
       Points p = SharedData.read(file);

@@ -13,7 +13,9 @@ import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
+import dct.experiment.generate.PolygonShape;
 import dct.testing.EveryTriangulation;
+import dct.testing.ForeignDataTest;
 import dct.testing.RandomPolygons;
 import dct.testing.SharedData;
 import java.io.IOException;
@@ -80,7 +82,21 @@ class PolygonOptimizerTest {
     return fewest.get();
   }
 
+  /** Against an independent program's optima of polygons that the generators make again. */
   @Test
+  void reachesTheKnownOptimumOfEveryGeneratedPolygon() {
+    List<String[]> rows = SharedData.table("polygon-optimum.tsv", "\t");
+    assertThat(rows).hasSize(59);
+    for (String[] row : rows) {
+      PolygonShape shape = PolygonShape.of(row[0]).orElseThrow();
+      SimplePolygon polygon = shape.generate(Integer.parseInt(row[1]), Long.parseLong(row[2]));
+      Optimum optimum = optimize(polygon, ParityGoal.allEven(polygon.size()));
+      assertThat(optimum.unsatisfied()).as("%s", List.of(row)).isEqualTo(Integer.parseInt(row[3]));
+      assertThat(optimum.isProven()).isTrue();
+    }
+  }
+
+  @ForeignDataTest
   void reachesThePublishedOptimumOfEveryPolygon() throws IOException {
     List<Path> files = SharedData.files("polygons");
     Path table = files.get(0).getParent().resolveSibling("polygon-optimum.tsv");
