@@ -73,7 +73,7 @@ class ThesisFiguresTest {
     };
     Triangulation before = triangulation(polygon("figure_3_08_scan_flip"), diagonals);
 
-    FlipResult result = ScanFlip.run(before);
+    FlipResult result = ScanFlip.run(before, Progress.NONE);
 
     Set<String> gone = edges(before);
     gone.removeAll(edges(result.after()));
@@ -89,9 +89,10 @@ class ThesisFiguresTest {
     SimplePolygon polygon = polygon("figure_3_09_convex_pieces");
     Partition pieces =
         HertelMehlhorn.partition(
-            polygon, MonotoneTriangulation.triangulate(polygon, Progress.NONE));
+            polygon, MonotoneTriangulation.triangulate(polygon, Progress.NONE), Progress.NONE);
 
-    FlipResult result = ScanFlip.run(PartitioningAqt.triangulate(polygon, Progress.NONE));
+    FlipResult result =
+        ScanFlip.run(PartitioningAqt.triangulate(polygon, Progress.NONE), Progress.NONE);
 
     assertThat(polygon.size()).isEqualTo(44);
     assertThat(pieces.pieces()).isEqualTo(4);
@@ -112,10 +113,10 @@ class ThesisFiguresTest {
 
   @Test
   void figure312Has5EvenSitesAnd11AfterScanFlip() {
-    Sites sites = Sites.of(points("figure_3_12_sites_pointbased"));
+    Sites sites = Sites.of(points("figure_3_12_sites_pointbased"), Progress.NONE);
     Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
 
-    FlipResult result = ScanFlip.run(delaunay);
+    FlipResult result = ScanFlip.run(delaunay, Progress.NONE);
 
     assertThat(sites.size()).isEqualTo(17);
     assertThat(delaunay.edgeCount()).isEqualTo(38);
@@ -125,7 +126,7 @@ class ThesisFiguresTest {
   }
 
   private static SimplePolygon polygon(String name) {
-    return SimplePolygon.of(points(name + "_polygonbased"));
+    return SimplePolygon.of(points(name + "_polygonbased"), Progress.NONE);
   }
 
   private static Points points(String name) {

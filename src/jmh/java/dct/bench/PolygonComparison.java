@@ -60,7 +60,7 @@ final class PolygonComparison {
   }
 
   private static int[] checked(double[] x, double[] y) {
-    SimplePolygon polygon = SimplePolygon.of(Points.of(x, y));
+    SimplePolygon polygon = SimplePolygon.of(Points.of(x, y), Progress.NONE);
     return MonotoneTriangulation.triangulate(polygon, Progress.NONE).triangles();
   }
 
@@ -82,7 +82,8 @@ final class PolygonComparison {
       }
     }
     for (Path file : files) {
-      SimplePolygon polygon = SimplePolygon.of(walked(PointFile.read(file).points()));
+      SimplePolygon polygon =
+          SimplePolygon.of(walked(PointFile.read(file).points()), Progress.NONE);
       String name = String.valueOf(file.getFileName()).replace(".txt", "");
       String[] all = new String[contenders(polygon).size()];
       table.row("%s %,d".formatted(name, polygon.size()), contest(polygon, all));
@@ -108,7 +109,7 @@ final class PolygonComparison {
 
   /** The vertices counter-clockwise, as some peers want them. */
   private static Points walked(Points points) {
-    int[] walk = SimplePolygon.of(points).walk();
+    int[] walk = SimplePolygon.of(points, Progress.NONE).walk();
     return Points.of(
         Arrays.stream(walk).mapToDouble(points::x).toArray(),
         Arrays.stream(walk).mapToDouble(points::y).toArray());

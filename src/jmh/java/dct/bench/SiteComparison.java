@@ -30,7 +30,8 @@ final class SiteComparison {
   }
 
   private static int[] ours(double[] x, double[] y) {
-    return Delaunay.triangulate(Sites.of(Points.of(x, y)), Progress.NONE).triangles();
+    return Delaunay.triangulate(Sites.of(Points.of(x, y), Progress.NONE), Progress.NONE)
+        .triangles();
   }
 
   void run() {
@@ -78,7 +79,7 @@ final class SiteComparison {
   }
 
   private static Optional<String> problem(double[] x, double[] y, int contender, int[] result) {
-    Sites sites = Sites.of(Points.of(x, y));
+    Sites sites = Sites.of(Points.of(x, y), Progress.NONE);
     boolean isLine = HullCount.of(sites.points().xs(), sites.points().ys()) == 2 * (x.length - 1);
     if (isLine) {
       int found = contender == EDGES_ONLY ? 0 : result.length;

@@ -58,21 +58,23 @@ final class StepTable {
     return List.of(
         new Step("reading text", StepTable::reading),
         new Step("writing text", StepTable::writing),
-        new Step("merging equal sites", n -> () -> Sites.of(points(n))),
+        new Step("merging equal sites", n -> () -> Sites.of(points(n), Progress.NONE)),
         new Step(
             "Delaunay",
             n -> {
-              Sites sites = Sites.of(points(n));
+              Sites sites = Sites.of(points(n), Progress.NONE);
               return () -> Delaunay.triangulate(sites, Progress.NONE);
             }),
         new Step("Scan-Flip of Delaunay", StepTable::flippingSites),
         new Step(
             "counting degrees",
             n -> {
-              Triangulation t = Delaunay.triangulate(Sites.of(points(n)), Progress.NONE);
+              Triangulation t =
+                  Delaunay.triangulate(Sites.of(points(n), Progress.NONE), Progress.NONE);
               return () -> DegreeCount.of(t);
             }),
-        onPolygon("simplicity check", polygon -> () -> SimplePolygon.of(polygon.points())),
+        onPolygon(
+            "simplicity check", polygon -> () -> SimplePolygon.of(polygon.points(), Progress.NONE)),
         onPolygon("monotone partition", p -> () -> MonotonePartition.partition(p, Progress.NONE)),
         onPolygon(
             "monotone triangulation, partition included",
@@ -82,7 +84,7 @@ final class StepTable {
             "Hertel–Mehlhorn, from a triangulation",
             p -> {
               Triangulation t = MonotoneTriangulation.triangulate(p, Progress.NONE);
-              return () -> HertelMehlhorn.partition(p, t);
+              return () -> HertelMehlhorn.partition(p, t, Progress.NONE);
             }),
         onPolygon(
             "Partitioning-AQT, all of it",
@@ -91,7 +93,7 @@ final class StepTable {
             "Scan-Flip of monotone",
             p -> {
               Triangulation t = MonotoneTriangulation.triangulate(p, Progress.NONE);
-              return () -> ScanFlip.run(t);
+              return () -> ScanFlip.run(t, Progress.NONE);
             }));
   }
 
@@ -106,8 +108,8 @@ final class StepTable {
   }
 
   private static Runnable flippingSites(int n) {
-    Triangulation t = Delaunay.triangulate(Sites.of(points(n)), Progress.NONE);
-    return () -> ScanFlip.run(t);
+    Triangulation t = Delaunay.triangulate(Sites.of(points(n), Progress.NONE), Progress.NONE);
+    return () -> ScanFlip.run(t, Progress.NONE);
   }
 
   private static Runnable reading(int n) {

@@ -42,7 +42,9 @@ public class PainterBenchmark {
     /** Triangulates the sites. */
     @Setup
     public void triangulate() {
-      triangulation = Delaunay.triangulate(Sites.of(RandomSites.uniform(sites, 1)), Progress.NONE);
+      triangulation =
+          Delaunay.triangulate(
+              Sites.of(RandomSites.uniform(sites, 1), Progress.NONE), Progress.NONE);
       scene = Scene.of(triangulation);
     }
   }

@@ -123,7 +123,8 @@ final class BoundVerifier {
 
   private BoundCheck check(ParityGoal goal, int bound) {
     return domain == Domain.SITES
-        ? BoundCheck.of(Sites.of(stored.points()), goal, bound, Progress.NONE)
-        : BoundCheck.of(SimplePolygon.of(stored.points()), goal, bound, Progress.NONE);
+        ? BoundCheck.of(Sites.of(stored.points(), Progress.NONE), goal, bound, Progress.NONE)
+        : BoundCheck.of(
+            SimplePolygon.of(stored.points(), Progress.NONE), goal, bound, Progress.NONE);
   }
 }

@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
@@ -93,9 +94,9 @@ final class ResultVerifier {
   private void checkPoints() {
     check(n >= 3, "there are fewer than three vertices");
     if (domain == Domain.SITES) {
-      check(Sites.of(points).merged() == 0, "two sites are at the same place");
+      check(Sites.of(points, Progress.NONE).merged() == 0, "two sites are at the same place");
     } else {
-      Optional<Defect> defect = SimplicityCheck.firstDefect(points);
+      Optional<Defect> defect = SimplicityCheck.firstDefect(points, Progress.NONE);
       defect.ifPresent(
           d -> {
             throw new BadInputException(

@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
@@ -66,7 +67,8 @@ final class TriangulateCommand extends Verb {
     Algorithm chosen = chosen(shape.domain());
     Triangulation made = chosen.triangulate(shape);
     double triangulate = watch.lap();
-    Optional<FlipResult> flipped = isSet(flip) ? Optional.of(ScanFlip.run(made)) : Optional.empty();
+    Optional<FlipResult> flipped =
+        isSet(flip) ? Optional.of(ScanFlip.run(made, Progress.NONE)) : Optional.empty();
     Optional<Optimum> best =
         optimize.isAsked() ? Optional.of(optimize.optimize(shape, made)) : Optional.empty();
     double post = flipped.isPresent() || best.isPresent() ? watch.lap() : 0;

@@ -33,6 +33,36 @@ public interface Progress {
   /** Whether the caller has asked the computation to stop. */
   boolean isCancelled();
 
+  /** How many steps of a loop there are from one question to the next. */
+  int STRIDE = 1 << 14;
+
+  /**
+   * For every step of a long loop: asks {@code progress} in the first one and then in one of {@link
+   * #STRIDE}, and costs a comparison in the others.
+   *
+   * @param step the number of the step, from 0 on
+   * @throws CancellationException if {@link #isCancelled()}
+   */
+  static void check(Progress progress, int step) {
+    if ((step & (STRIDE - 1)) == 0) {
+      progress.checkCancelled();
+    }
+  }
+
+  /**
+   * The same, and where it asks it also reports.
+   *
+   * @param steps how many there will be, more than {@code step}
+   * @param message what is being done, for a person to read
+   * @throws CancellationException if {@link #isCancelled()}
+   */
+  static void tick(Progress progress, int step, int steps, String message) {
+    if ((step & (STRIDE - 1)) == 0) {
+      progress.checkCancelled();
+      progress.report((double) step / steps, message);
+    }
+  }
+
   /**
    * Stops the computation if the caller asked for it.
    *

@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Progress;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
@@ -67,7 +68,7 @@ public final class PointDocument {
    */
   public SimplePolygon polygon() {
     try {
-      return SimplePolygon.of(points);
+      return SimplePolygon.of(points, Progress.NONE);
     } catch (InvalidGeometryException e) {
       throw bad(e.defect());
     }
@@ -82,7 +83,7 @@ public final class PointDocument {
     if (points.size() < 3) {
       throw bad(new Defect(Defect.Kind.TOO_FEW, 0, 0, 0, 0, points.size()));
     }
-    return Sites.of(points);
+    return Sites.of(points, Progress.NONE);
   }
 
   /**

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
 import dct.core.geometry.Sites;
@@ -165,7 +166,7 @@ final class FileWork {
     Points points = document.points();
     Optional<String> fault =
         document.domain() == Domain.POLYGON
-            ? SimplicityCheck.firstDefect(points).map(defect -> defect.message())
+            ? SimplicityCheck.firstDefect(points, Progress.NONE).map(defect -> defect.message())
             : points.size() < 3
                 ? Optional.of("there are fewer than three sites")
                 : Optional.empty();

@@ -78,7 +78,8 @@ final class PolygonResults {
         progress ->
             Result.of(
                 ScanFlip.run(
-                    from == null ? triangulation(document, by, progress) : from.triangulation)),
+                    from == null ? triangulation(document, by, progress) : from.triangulation,
+                    progress)),
         result ->
             show(
                 document,
@@ -103,7 +104,7 @@ final class PolygonResults {
             progress ->
                 Result.of(
                     BestTriangulation.of(
-                        SimplePolygon.of(document.points()),
+                        SimplePolygon.of(document.points(), progress),
                         goal.apply(document.size()),
                         SearchLimits.DEFAULT,
                         progress)),
@@ -116,7 +117,7 @@ final class PolygonResults {
 
   private static Triangulation triangulation(
       Document document, PolygonMethod method, Progress progress) {
-    return method.triangulate(SimplePolygon.of(document.points()), progress);
+    return method.triangulate(SimplePolygon.of(document.points(), progress), progress);
   }
 
   private <T> void submit(

@@ -49,7 +49,7 @@ final class SitesWork {
           .jobs()
           .submit(
               "Perform Flip",
-              progress -> shown.flipped(ScanFlip.run(triangulation)),
+              progress -> shown.flipped(ScanFlip.run(triangulation, progress)),
               editor::showInstead);
     }
   }

@@ -28,7 +28,7 @@ final class PolygonChecks {
   private final String what;
 
   private PolygonChecks(Points points, String what) {
-    this.polygon = SimplePolygon.of(points);
+    this.polygon = SimplePolygon.of(points, Progress.NONE);
     this.what = what;
   }
 
@@ -57,7 +57,7 @@ final class PolygonChecks {
         .isTriangulationOf(polygon)
         .hasInnerEdgesOnlyOf(EdgeKind.DIAGONAL);
     checkFlips("ear clipping", ears);
-    checkPieces("Hertel–Mehlhorn from ears", HertelMehlhorn.partition(polygon, ears))
+    checkPieces("Hertel–Mehlhorn from ears", HertelMehlhorn.partition(polygon, ears, Progress.NONE))
         .hasStrictlyConvexPieces();
   }
 
@@ -89,7 +89,7 @@ final class PolygonChecks {
   }
 
   private Partition checkConvexPieces(Triangulation monotone) {
-    Partition convex = HertelMehlhorn.partition(polygon, monotone);
+    Partition convex = HertelMehlhorn.partition(polygon, monotone, Progress.NONE);
     checkPieces("Hertel–Mehlhorn", convex).hasStrictlyConvexPieces();
     return convex;
   }
@@ -174,7 +174,7 @@ final class PolygonChecks {
   }
 
   private void checkFlips(String name, Triangulation before) {
-    FlipResult result = ScanFlip.run(before);
+    FlipResult result = ScanFlip.run(before, Progress.NONE);
     TriangulationAssert.assertThat(result.after())
         .as("%s with flips, %s", name, what)
         .isTriangulationOf(polygon);

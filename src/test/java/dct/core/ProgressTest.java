@@ -35,7 +35,7 @@ class ProgressTest {
   }
 
   static List<Computation> computations() {
-    SimplePolygon comb = SimplePolygon.of(RandomPolygons.comb(MANY, new Random(1)));
+    SimplePolygon comb = SimplePolygon.of(RandomPolygons.comb(MANY, new Random(1)), Progress.NONE);
     Sites sites = RandomSets.families().get(0).make(MANY, 1);
     return List.of(
         new Computation("ear clipping", p -> EarClipping.triangulate(comb, p)),

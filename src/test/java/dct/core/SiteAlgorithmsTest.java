@@ -79,14 +79,14 @@ class SiteAlgorithmsTest {
   }
 
   private static void checkAll(Points points, String what) {
-    Sites sites = Sites.of(points);
+    Sites sites = Sites.of(points, Progress.NONE);
     Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
     TriangulationAssert.assertThat(delaunay)
         .as(what)
         .isTriangulationOf(sites)
         .isDelaunay()
         .hasInnerEdgesOnlyOf(EdgeKind.DIAGONAL);
-    FlipResult result = ScanFlip.run(delaunay);
+    FlipResult result = ScanFlip.run(delaunay, Progress.NONE);
     TriangulationAssert.assertThat(result.after())
         .as("flipped, %s", what)
         .isTriangulationOf(sites)
@@ -111,14 +111,16 @@ class SiteAlgorithmsTest {
     assertThat(edges(3, 0, 1, 0, 2, 0, 9, 0)).containsExactly("0–2", "0–3", "1–2");
     assertThat(edges(0, 3, 0, 1, 0, 2, 0, 9)).containsExactly("0–2", "0–3", "1–2");
     Triangulation path =
-        Delaunay.triangulate(Sites.of(Points.ofPairs(0, 0, 2, 2, 1, 1)), Progress.NONE);
+        Delaunay.triangulate(
+            Sites.of(Points.ofPairs(0, 0, 2, 2, 1, 1), Progress.NONE), Progress.NONE);
     assertThat(path.triangleCount()).isZero();
     assertThat(path.triangles()).isEmpty();
-    assertThat(ScanFlip.run(path).flips()).isZero();
+    assertThat(ScanFlip.run(path, Progress.NONE).flips()).isZero();
   }
 
   private static List<String> edges(double... pairs) {
-    Triangulation t = Delaunay.triangulate(Sites.of(Points.ofPairs(pairs)), Progress.NONE);
+    Triangulation t =
+        Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
     t.dcel().validate();
     String[] names = new String[t.edgeCount()];
     for (int e = 0; e < names.length; e++) {
@@ -130,7 +132,7 @@ class SiteAlgorithmsTest {
 
   @Test
   void duplicatesAreMergedIntoTheFirst() {
-    Sites sites = Sites.of(Points.ofPairs(4, 0, 0, 0, 4, 0, 0, 4, -0.0, 0, 4, 0));
+    Sites sites = Sites.of(Points.ofPairs(4, 0, 0, 0, 4, 0, 0, 4, -0.0, 0, 4, 0), Progress.NONE);
     assertThat(sites.merged()).isEqualTo(3);
     assertThat(sites.points()).isEqualTo(Points.ofPairs(4, 0, 0, 0, 0, 4));
     checkAll(sites.points(), "with duplicates");

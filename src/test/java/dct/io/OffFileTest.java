@@ -19,7 +19,8 @@ class OffFileTest {
 
   @Test
   void listsVerticesInOrderAndThenTriangles(@TempDir Path folder) throws Exception {
-    Triangulation triangulation = Delaunay.triangulate(Sites.of(points), Progress.NONE);
+    Triangulation triangulation =
+        Delaunay.triangulate(Sites.of(points, Progress.NONE), Progress.NONE);
     Path file = folder.resolve("t.off");
     OffFile.write(file, triangulation);
     int[] t = triangulation.triangles();

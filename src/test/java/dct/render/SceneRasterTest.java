@@ -20,7 +20,7 @@ class SceneRasterTest {
   private static final int HEIGHT = 300;
 
   private static Triangulation delaunay(int n) {
-    return Delaunay.triangulate(Sites.of(RandomSites.uniform(n, 4)), Progress.NONE);
+    return Delaunay.triangulate(Sites.of(RandomSites.uniform(n, 4), Progress.NONE), Progress.NONE);
   }
 
   @ParameterizedTest

@@ -4,6 +4,7 @@ import static dct.testing.TriangulationAssert.assertThat;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
@@ -163,7 +164,8 @@ class MeshCheckTest {
     Dcel dcel = Dcel.cycle(0, 1, 2, 3);
     dcel.splitFace(2, 6); // 1–3 lies outside
     Triangulation wrong = new Triangulation(Domain.SITES, reflex, dcel, edge -> EdgeKind.DIAGONAL);
-    assertThatThrownBy(() -> assertThat(wrong).as("seed 7").isTriangulationOf(Sites.of(reflex)))
+    assertThatThrownBy(
+            () -> assertThat(wrong).as("seed 7").isTriangulationOf(Sites.of(reflex, Progress.NONE)))
         .isInstanceOf(AssertionError.class)
         .hasMessageContaining("seed 7")
         .hasMessageContaining("2 triangles, not 3");

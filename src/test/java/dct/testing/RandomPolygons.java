@@ -124,7 +124,7 @@ public final class RandomPolygons {
   public static Points wideRange(int n, Random random) {
     double[] x = random.doubles(n).map(u -> wide(u, random)).toArray();
     double[] y = random.doubles(n).map(u -> wide(u, random)).toArray();
-    Points chain = twoChains(Sites.of(Points.of(x, y)).points());
+    Points chain = twoChains(Sites.of(Points.of(x, y), Progress.NONE).points());
     boolean turned = random.nextBoolean();
     return chain.size() < 3
         ? wideRange(n + 1, random)

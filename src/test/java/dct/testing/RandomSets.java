@@ -1,5 +1,6 @@
 package dct.testing;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import java.util.List;
@@ -13,7 +14,7 @@ public final class RandomSets {
   public record Family(String name, Maker maker) {
     /** The sites; the same for the same n and seed. */
     public Sites make(int n, long seed) {
-      return Sites.of(maker.make(n, new Random(seed)));
+      return Sites.of(maker.make(n, new Random(seed)), Progress.NONE);
     }
 
     @Override

@@ -40,7 +40,7 @@ class PolygonWindowTest extends WindowTest {
   @Test
   void threeButtonsOpenThreeFrames() {
     draw(DRAWN);
-    SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(DRAWN));
+    SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(DRAWN), Progress.NONE);
     Triangulation even = PartitioningAqt.triangulate(polygon, Progress.NONE);
     Triangulation odd = OddFan.triangulate(polygon, Progress.NONE);
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
@@ -77,13 +77,13 @@ class PolygonWindowTest extends WindowTest {
   }
 
   private static FlipResult flips(Triangulation triangulation) {
-    FlipResult flips = ScanFlip.run(triangulation);
+    FlipResult flips = ScanFlip.run(triangulation, Progress.NONE);
     assertThat(flips.after().count(EdgeKind.FLIPPED)).as("magenta diagonals").isPositive();
     return flips;
   }
 
   private static SimplePolygon polygon() {
-    return SimplePolygon.of(Points.ofPairs(DRAWN));
+    return SimplePolygon.of(Points.ofPairs(DRAWN), Progress.NONE);
   }
 
   @Test

@@ -75,7 +75,7 @@ class SitesWindowTest extends WindowTest {
   @Test
   void performFlipShowsInTheCanvasAndAnyEditGoesBack() {
     draw();
-    FlipResult flips = ScanFlip.run(delaunay(Points.ofPairs(SITES)));
+    FlipResult flips = ScanFlip.run(delaunay(Points.ofPairs(SITES)), Progress.NONE);
     assertThat(flips.after().count(EdgeKind.FLIPPED)).as("magenta edges").isPositive();
     push("Perform Flip");
     requireShown(canvas(), flips.after());
@@ -257,6 +257,6 @@ class SitesWindowTest extends WindowTest {
   }
 
   private static Triangulation delaunay(Points sites) {
-    return Delaunay.triangulate(Sites.of(sites), Progress.NONE);
+    return Delaunay.triangulate(Sites.of(sites, Progress.NONE), Progress.NONE);
   }
 }

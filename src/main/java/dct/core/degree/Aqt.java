@@ -25,9 +25,10 @@ public final class Aqt {
    * Triangulates a strictly convex polygon.
    *
    * @throws IllegalArgumentException if the polygon has a vertex whose angle is 180° or more
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static Triangulation triangulate(SimplePolygon polygon) {
-    return ConvexPieces.triangulate(ConvexPieces.single(polygon), Aqt::cut, Progress.NONE);
+  public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
+    return ConvexPieces.triangulate(ConvexPieces.single(polygon), Aqt::cut, progress);
   }
 
   /**

@@ -23,7 +23,8 @@ public final class ConvexPieces {
 
   /** The convex pieces of a simple polygon, merged from its monotone triangulation. */
   static Partition of(SimplePolygon polygon, Progress progress) {
-    return HertelMehlhorn.partition(polygon, MonotoneTriangulation.triangulate(polygon, progress));
+    return HertelMehlhorn.partition(
+        polygon, MonotoneTriangulation.triangulate(polygon, progress), progress);
   }
 
   /** Whether every angle of the polygon is less than 180°. */

@@ -1,5 +1,6 @@
 package dct.core.degree;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
@@ -28,9 +29,12 @@ public final class ScanFlip {
   private final Dcel dcel;
   private final boolean[] processed; // by edge
   private final boolean[] made; // by edge: by a flip of this run
+  private final Progress progress;
+  private int looked; // at so many edges
   private int flips;
 
-  private ScanFlip(Triangulation triangulation) {
+  private ScanFlip(Triangulation triangulation, Progress progress) {
+    this.progress = progress;
     before = triangulation;
     points = triangulation.points();
     dcel = triangulation.dcel().copy();
@@ -38,9 +42,13 @@ public final class ScanFlip {
     made = new boolean[triangulation.edgeCount()];
   }
 
-  /** The triangulation before and after one scan. */
-  public static FlipResult run(Triangulation triangulation) {
-    ScanFlip scan = new ScanFlip(triangulation);
+  /**
+   * The triangulation before and after one scan.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static FlipResult run(Triangulation triangulation, Progress progress) {
+    ScanFlip scan = new ScanFlip(triangulation, progress);
     if (triangulation.domain() == Domain.POLYGON) {
       scan.scanVertices();
     } else {
@@ -51,8 +59,10 @@ public final class ScanFlip {
 
   private void scanVertices() {
     for (int v = 0; v < points.size(); v++) {
+      Progress.tick(progress, v, points.size(), "Flipping diagonals");
       int e = dcel.rotate(boundaryEdge(v));
       while (!dcel.isBoundary(e >> 1)) {
+        Progress.check(progress, looked++);
         int following = dcel.rotate(e); // a flip takes e away from v
         consider(e);
         e = following;
@@ -71,6 +81,7 @@ public final class ScanFlip {
 
   private void scanEdges() {
     for (int edge = 0; edge < processed.length; edge++) {
+      Progress.tick(progress, edge, processed.length, "Flipping diagonals");
       if (!dcel.isBoundary(edge)) {
         consider(2 * edge);
       }

@@ -1,5 +1,7 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
+
 /**
  * The points that equal no earlier one, in a hash table of their numbers with linear probing: on a
  * million points several times as fast as sorting them.
@@ -20,9 +22,10 @@ final class FirstOccurrences {
   }
 
   /** Marks the points that equal an earlier one; returns their number. */
-  int markOthers(boolean[] duplicate) {
+  int markOthers(boolean[] duplicate, Progress progress) {
     int count = 0;
     for (int i = 0; i < duplicate.length; i++) {
+      Progress.tick(progress, i, duplicate.length, "Merging equal sites");
       int place = hash(points.x(i), points.y(i));
       while (table[place] != 0 && !points.same(table[place] - 1, i)) {
         place = (place + 1) & (table.length - 1);

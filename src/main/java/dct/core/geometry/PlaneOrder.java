@@ -1,5 +1,7 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
+
 /**
  * The order of points by y, then x: that of a sweep line turned by an infinitesimal angle, so that
  * no two different points are level.
@@ -14,20 +16,26 @@ public final class PlaneOrder {
 
   private PlaneOrder() {}
 
-  /** The numbers of the points, lowest first. */
-  public static int[] byYThenX(Points points) {
+  /**
+   * The numbers of the points, lowest first.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static int[] byYThenX(Points points, Progress progress) {
     int n = points.size();
     int[] order = new int[n];
     long[] keys = new long[n];
     for (int i = 0; i < n; i++) {
+      Progress.check(progress, i);
       order[i] = i;
       keys[i] = sortable(points.x(i));
     }
-    order = sorted(order, keys);
+    order = sorted(order, keys, progress);
     for (int i = 0; i < n; i++) {
+      Progress.check(progress, i);
       keys[i] = sortable(points.y(i));
     }
-    return sorted(order, keys);
+    return sorted(order, keys, progress);
   }
 
   /** Bits that compare, as an unsigned number, as the finite double does. */
@@ -37,13 +45,13 @@ public final class PlaneOrder {
   }
 
   /** The numbers in {@code order}, stably sorted by {@code keys[number]}; reuses the array. */
-  private static int[] sorted(int[] order, long[] keys) {
-    int[][] counts = histograms(keys);
+  private static int[] sorted(int[] order, long[] keys, Progress progress) {
+    int[][] counts = histograms(keys, progress);
     int[] from = order;
     int[] to = new int[order.length];
     for (int digit = 0; digit < DIGITS; digit++) {
       if (startOffsets(counts[digit], order.length)) {
-        scatter(from, to, keys, digit, counts[digit]);
+        scatter(from, to, keys, digit, counts[digit], progress);
         int[] swap = from;
         from = to;
         to = swap;
@@ -52,11 +60,12 @@ public final class PlaneOrder {
     return from;
   }
 
-  private static int[][] histograms(long[] keys) {
+  private static int[][] histograms(long[] keys, Progress progress) {
     int[][] counts = new int[DIGITS][RADIX];
-    for (long key : keys) {
+    for (int i = 0; i < keys.length; i++) {
+      Progress.check(progress, i);
       for (int digit = 0; digit < DIGITS; digit++) {
-        counts[digit][digitOf(key, digit)]++;
+        counts[digit][digitOf(keys[i], digit)]++;
       }
     }
     return counts;
@@ -76,8 +85,11 @@ public final class PlaneOrder {
     return true;
   }
 
-  private static void scatter(int[] from, int[] to, long[] keys, int digit, int[] next) {
-    for (int i : from) {
+  private static void scatter(
+      int[] from, int[] to, long[] keys, int digit, int[] next, Progress progress) {
+    for (int k = 0; k < from.length; k++) {
+      Progress.check(progress, k);
+      int i = from[k];
       to[next[digitOf(keys[i], digit)]++] = i;
     }
   }

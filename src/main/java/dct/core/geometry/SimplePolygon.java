@@ -1,5 +1,7 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
+
 /**
  * A simple polygon: its vertices in boundary order, checked once, here.
  *
@@ -20,9 +22,10 @@ public final class SimplePolygon {
    * The polygon with these vertices, in O(n log n).
    *
    * @throws InvalidGeometryException if the boundary is not simple
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static SimplePolygon of(Points points) {
-    SimplicityCheck.firstDefect(points)
+  public static SimplePolygon of(Points points, Progress progress) {
+    SimplicityCheck.firstDefect(points, progress)
         .ifPresent(
             defect -> {
               throw new InvalidGeometryException(defect);

@@ -1,5 +1,6 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
 import java.util.Optional;
 
 /**
@@ -15,28 +16,35 @@ import java.util.Optional;
  */
 public final class SimplicityCheck {
   private final Points points;
+  private final Progress progress;
   private final int n;
   private final int[] order; // lowest point first
   private final int[] rank; // place of each vertex in that order
   private Defect defect; // the first one found, or null
 
-  private SimplicityCheck(Points points) {
+  private SimplicityCheck(Points points, Progress progress) {
     this.points = points;
+    this.progress = progress;
     n = points.size();
-    order = PlaneOrder.byYThenX(points);
+    order = PlaneOrder.byYThenX(points, progress);
     rank = new int[n];
     for (int k = 0; k < n; k++) {
+      Progress.check(progress, k);
       rank[order[k]] = k;
     }
   }
 
-  /** The first defect of the closed chain through these points, or nothing if it is simple. */
-  public static Optional<Defect> firstDefect(Points points) {
+  /**
+   * The first defect of the closed chain through these points, or nothing if it is simple.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Optional<Defect> firstDefect(Points points, Progress progress) {
     if (points.size() < 3) {
       int n = points.size();
       return Optional.of(new Defect(Defect.Kind.TOO_FEW, 0, 0, 0, 0, n));
     }
-    return Optional.ofNullable(new SimplicityCheck(points).run());
+    return Optional.ofNullable(new SimplicityCheck(points, progress).run());
   }
 
   private Defect run() {
@@ -57,6 +65,7 @@ public final class SimplicityCheck {
     int lowest = n;
     int other = n;
     for (int k = 1; k < n; k++) {
+      Progress.check(progress, k);
       if (order[k - 1] < lowest && points.same(order[k - 1], order[k])) {
         lowest = order[k - 1];
         other = order[k];
@@ -69,6 +78,7 @@ public final class SimplicityCheck {
 
   private void findCollinear() {
     for (int v = 2; v < n; v++) {
+      Progress.check(progress, v);
       if (points.orient(0, 1, v) != 0) {
         return;
       }
@@ -78,6 +88,7 @@ public final class SimplicityCheck {
 
   private void findSpike() {
     for (int v = 0; v < n && defect == null; v++) {
+      Progress.check(progress, v);
       boolean turnsBack = rank[before(v)] < rank[v] == rank[after(v)] < rank[v];
       if (turnsBack && points.orient(before(v), v, after(v)) == 0) {
         report(Defect.Kind.SPIKE, v, v, v);
@@ -97,6 +108,7 @@ public final class SimplicityCheck {
   private void sweep() {
     SweepStatus status = new SweepStatus(points, n);
     for (int k = n - 1; k >= 0 && defect == null; k--) {
+      Progress.tick(progress, n - 1 - k, n, "Checking that the boundary is simple");
       int v = order[k];
       boolean arrivesFromAbove = rank[before(v)] > k;
       boolean leavesUpwards = rank[after(v)] > k;

@@ -1,5 +1,7 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
+
 /**
  * Point sites, all different: exact duplicates are merged into their first occurrence, once, here.
  *
@@ -14,10 +16,14 @@ public final class Sites {
     this.merged = merged;
   }
 
-  /** The different points among these, in O(n) expected time. */
-  public static Sites of(Points points) {
+  /**
+   * The different points among these, in O(n) expected time.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Sites of(Points points, Progress progress) {
     boolean[] duplicate = new boolean[points.size()];
-    int merged = new FirstOccurrences(points).markOthers(duplicate);
+    int merged = new FirstOccurrences(points).markOthers(duplicate, progress);
     return new Sites(merged == 0 ? points : without(points, duplicate, merged), merged);
   }
 

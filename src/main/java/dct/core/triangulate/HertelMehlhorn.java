@@ -1,5 +1,6 @@
 package dct.core.triangulate;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
@@ -36,10 +37,16 @@ public final class HertelMehlhorn {
     }
   }
 
-  /** The convex pieces into which the triangulation of the polygon can be merged. */
-  public static Partition partition(SimplePolygon polygon, Triangulation triangulation) {
+  /**
+   * The convex pieces into which the triangulation of the polygon can be merged.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Partition partition(
+      SimplePolygon polygon, Triangulation triangulation, Progress progress) {
     HertelMehlhorn run = new HertelMehlhorn(triangulation);
     for (int edge = 0; edge < triangulation.edgeCount(); edge++) {
+      Progress.tick(progress, edge, triangulation.edgeCount(), "Merging convex pieces");
       if (triangulation.kind(edge) != EdgeKind.BOUNDARY && run.isInessential(2 * edge)) {
         run.remove(2 * edge);
       }

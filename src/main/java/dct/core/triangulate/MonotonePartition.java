@@ -22,8 +22,6 @@ import java.util.List;
  * a cusp; ties cannot occur, since no two vertices are level.
  */
 public final class MonotonePartition {
-  private static final int STEPS_BETWEEN_REPORTS = 1 << 14;
-
   private final SimplePolygon polygon;
   private final Points points;
   private final int n;
@@ -37,11 +35,11 @@ public final class MonotonePartition {
   private final boolean[] hangs; // by left edge: that vertex is a cusp above the trapezoid
   private final List<Chord> chords; // null unless wanted
 
-  private MonotonePartition(SimplePolygon polygon, boolean withChords) {
+  private MonotonePartition(SimplePolygon polygon, boolean withChords, Progress progress) {
     this.polygon = polygon;
     points = polygon.points();
     n = polygon.size();
-    order = PlaneOrder.byYThenX(points);
+    order = PlaneOrder.byYThenX(points, progress);
     rank = new int[n];
     for (int k = 0; k < n; k++) {
       rank[position(order[k])] = k;
@@ -60,7 +58,7 @@ public final class MonotonePartition {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Partition partition(SimplePolygon polygon, Progress progress) {
-    MonotonePartition run = new MonotonePartition(polygon, false);
+    MonotonePartition run = new MonotonePartition(polygon, false, progress);
     run.sweep(progress);
     return new Partition(polygon, run.dcel);
   }
@@ -68,10 +66,12 @@ public final class MonotonePartition {
   /**
    * The trapezoid chords of a simple polygon: from each vertex, level, to the first point of the
    * boundary, where the inside is between.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static List<Chord> chords(SimplePolygon polygon) {
-    MonotonePartition run = new MonotonePartition(polygon, true);
-    run.sweep(Progress.NONE);
+  public static List<Chord> chords(SimplePolygon polygon, Progress progress) {
+    MonotonePartition run = new MonotonePartition(polygon, true, progress);
+    run.sweep(progress);
     return List.copyOf(run.chords);
   }
 
@@ -99,10 +99,7 @@ public final class MonotonePartition {
 
   private void sweep(Progress progress) {
     for (int i = n - 1; i >= 0; i--) {
-      if (i % STEPS_BETWEEN_REPORTS == 0) {
-        progress.checkCancelled();
-        progress.report(1 - (double) i / n, "Cutting into monotone pieces");
-      }
+      Progress.tick(progress, n - 1 - i, n, "Cutting into monotone pieces");
       visit(position(order[i]));
     }
   }

@@ -56,7 +56,7 @@ final class BentEdges {
     for (int i = 0; i < TRIES; i++) {
       progress.checkCancelled();
       Points points = bent(outwards ? height : -height);
-      if (isWithin(points, area) && isCounterClockwise(points)) {
+      if (isWithin(points, area) && isCounterClockwise(points, progress)) {
         return points;
       }
       height /= 2;
@@ -84,8 +84,9 @@ final class BentEdges {
   }
 
   /** Whether the polygon is simple, and was not turned inside out by arcs that all cross it. */
-  private static boolean isCounterClockwise(Points points) {
-    return SimplicityCheck.firstDefect(points).isEmpty() && !SimplePolygon.of(points).isClockwise();
+  private static boolean isCounterClockwise(Points points, Progress progress) {
+    return SimplicityCheck.firstDefect(points, progress).isEmpty()
+        && !SimplePolygon.of(points, progress).isClockwise();
   }
 
   private static boolean isWithin(Points points, Area area) {

@@ -20,7 +20,7 @@ final class MonotoneChains {
   static Points polygon(int n, Area area, SeededRandom random, Progress progress) {
     Places p = Places.spread(n, area.grid(), random);
     Points points = p.points();
-    int[] order = PlaneOrder.byYThenX(Points.of(points.ys(), points.xs()));
+    int[] order = PlaneOrder.byYThenX(Points.of(points.ys(), points.xs()), progress);
     return p.points(chains(p, order));
   }
 

@@ -90,7 +90,7 @@ public enum PolygonShape {
    */
   public SimplePolygon generate(int n, Area area, long seed, Progress progress) {
     check(n);
-    return SimplePolygon.of(points(n, area, new SeededRandom(seed), progress));
+    return SimplePolygon.of(points(n, area, new SeededRandom(seed), progress), progress);
   }
 
   /** The vertices, counter-clockwise. */

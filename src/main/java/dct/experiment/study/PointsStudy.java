@@ -79,10 +79,10 @@ public final class PointsStudy implements Study {
   @Override
   public StudyRow run(Trial trial, Progress progress) {
     Laps laps = new Laps();
-    Sites sites = sites(trial);
+    Sites sites = sites(trial, progress);
     Triangulation delaunay = laps.time(STEPS.get(0), () -> Delaunay.triangulate(sites, progress));
-    FlipResult once = laps.time(STEPS.get(1), () -> ScanFlip.run(delaunay));
-    Repeated often = laps.time(STEPS.get(2), () -> Repeated.of(once));
+    FlipResult once = laps.time(STEPS.get(1), () -> ScanFlip.run(delaunay, progress));
+    Repeated often = laps.time(STEPS.get(2), () -> Repeated.of(once, progress));
     Optimum best = laps.time(STEPS.get(3), () -> best(delaunay, progress));
     progress.checkCancelled(); // what a search found until then is no row
     Map<String, Integer> counts = new LinkedHashMap<>();
@@ -98,8 +98,9 @@ public final class PointsStudy implements Study {
     return new StudyRow(trial, counts, laps.millis());
   }
 
-  private static Sites sites(Trial trial) {
-    return Sites.of(SiteShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed()));
+  private static Sites sites(Trial trial, Progress progress) {
+    return Sites.of(
+        SiteShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed()), progress);
   }
 
   private static Optimum best(Triangulation delaunay, Progress progress) {
@@ -124,10 +125,10 @@ public final class PointsStudy implements Study {
 
   @Override
   public List<StudyPicture> pictures(Trial trial, Progress progress) {
-    Triangulation delaunay = Delaunay.triangulate(sites(trial), progress);
+    Triangulation delaunay = Delaunay.triangulate(sites(trial, progress), progress);
     return List.of(
         new StudyPicture("Delaunay", Scene.of(delaunay)),
-        new StudyPicture("Scan-Flip", Scene.of(ScanFlip.run(delaunay))),
+        new StudyPicture("Scan-Flip", Scene.of(ScanFlip.run(delaunay, progress))),
         new StudyPicture("Best", Scene.of(best(delaunay, progress))));
   }
 
@@ -141,7 +142,7 @@ public final class PointsStudy implements Study {
   private record Repeated(FlipResult last, int flips, int scans) {
 
     /** Goes on from the first scan. Ends, for each flip makes two vertices even or more. */
-    static Repeated of(FlipResult first) {
+    static Repeated of(FlipResult first, Progress progress) {
       FlipResult last = first;
       FlipResult following = first;
       int flips = 0;
@@ -150,7 +151,7 @@ public final class PointsStudy implements Study {
         last = following;
         flips += last.flips();
         scans++;
-        following = ScanFlip.run(last.after());
+        following = ScanFlip.run(last.after(), progress);
       }
       return new Repeated(last, flips, scans);
     }

@@ -138,7 +138,7 @@ public final class PolygonsStudy implements Study {
     for (Method method : Method.values()) {
       Triangulation made = laps.time(method.word, () -> method.run(polygon, progress));
       counts.put(method.before(), DegreeCount.of(made).even());
-      counts.put(method.after(), DegreeCount.of(ScanFlip.run(made).after()).even());
+      counts.put(method.after(), DegreeCount.of(ScanFlip.run(made, progress).after()).even());
     }
     Optimum best = laps.time("best", () -> best(polygon, progress));
     progress.checkCancelled(); // what a search found until then is no row
@@ -169,7 +169,8 @@ public final class PolygonsStudy implements Study {
 
   /** The number of convex pieces that Partitioning-AQT works with. */
   private static int pieces(SimplePolygon polygon, Progress progress) {
-    return HertelMehlhorn.partition(polygon, MonotoneTriangulation.triangulate(polygon, progress))
+    return HertelMehlhorn.partition(
+            polygon, MonotoneTriangulation.triangulate(polygon, progress), progress)
         .pieces();
   }
 
@@ -204,7 +205,8 @@ public final class PolygonsStudy implements Study {
     Triangulation aqt = PartitioningAqt.triangulate(polygon, progress);
     return List.of(
         new StudyPicture(Method.AQT.title(), Scene.of(aqt)),
-        new StudyPicture(Method.AQT.title() + " and Scan-Flip", Scene.of(ScanFlip.run(aqt))),
+        new StudyPicture(
+            Method.AQT.title() + " and Scan-Flip", Scene.of(ScanFlip.run(aqt, progress))),
         new StudyPicture("Best", Scene.of(best(polygon, progress))));
   }
 }

@@ -51,7 +51,7 @@ public final class Analysis {
    */
   public static Analysis of(Document document, boolean growing, Progress progress) {
     return document.domain() == Domain.POLYGON
-        ? polygon(document, defects(document.points()), growing, false)
+        ? polygon(document, defects(document.points(), progress), growing, false)
         : sites(document, progress);
   }
 
@@ -73,9 +73,9 @@ public final class Analysis {
     return new Analysis(document, Optional.empty(), List.of(), scene, false, pending);
   }
 
-  private static List<Defect> defects(Points points) {
+  private static List<Defect> defects(Points points, Progress progress) {
     List<Defect> defects = new ArrayList<>();
-    SimplicityCheck.firstDefect(points)
+    SimplicityCheck.firstDefect(points, progress)
         .ifPresent(
             first -> {
               defects.add(first);
@@ -88,7 +88,7 @@ public final class Analysis {
     if (document.size() < 3) {
       return untriangulated(document, false);
     }
-    Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points()), progress);
+    Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points(), progress), progress);
     return sites(document, delaunay, Scene.of(delaunay));
   }
 

@@ -22,7 +22,7 @@ class ConvexPolygonTest {
 
   private static SimplePolygon convex(int n) {
     Points p = RandomPolygons.convex(n, new Random(n));
-    return SimplePolygon.of(n % 2 == 0 ? p : Transforms.reversed(p));
+    return SimplePolygon.of(n % 2 == 0 ? p : Transforms.reversed(p), Progress.NONE);
   }
 
   /** Lemma 3.2: all even if 3 divides n. Lemma 3.3: all but two otherwise. */
@@ -30,7 +30,7 @@ class ConvexPolygonTest {
   void aqtMeetsLemmas32And33() {
     for (int n = 3; n <= MOST; n++) {
       SimplePolygon polygon = convex(n);
-      Triangulation t = Aqt.triangulate(polygon);
+      Triangulation t = Aqt.triangulate(polygon, Progress.NONE);
       TriangulationAssert.assertThat(t)
           .as("n %d", n)
           .isTriangulationOf(polygon)
@@ -47,7 +47,9 @@ class ConvexPolygonTest {
       Triangulation pieces = PartitioningAqt.triangulate(polygon, Progress.NONE);
       assertThat(TriangulationAssert.edgesOfKind(pieces, EdgeKind.DIAGONAL))
           .as("n %d", n)
-          .isEqualTo(TriangulationAssert.edgesOfKind(Aqt.triangulate(polygon), EdgeKind.DIAGONAL));
+          .isEqualTo(
+              TriangulationAssert.edgesOfKind(
+                  Aqt.triangulate(polygon, Progress.NONE), EdgeKind.DIAGONAL));
       assertThat(pieces.count(EdgeKind.PARTITION)).as("n %d", n).isZero();
     }
   }
@@ -68,7 +70,9 @@ class ConvexPolygonTest {
     for (int n = 3; n <= 11; n++) {
       int[] odd = extremes(n);
       SimplePolygon polygon = convex(n);
-      assertThat(DegreeCount.of(Aqt.triangulate(polygon)).odd()).as("n %d", n).isEqualTo(odd[0]);
+      assertThat(DegreeCount.of(Aqt.triangulate(polygon, Progress.NONE)).odd())
+          .as("n %d", n)
+          .isEqualTo(odd[0]);
       assertThat(DegreeCount.of(OddFan.triangulate(polygon, Progress.NONE)).odd())
           .as("n %d", n)
           .isEqualTo(odd[1]);
@@ -119,19 +123,23 @@ class ConvexPolygonTest {
   void aqtStartsAtTheLowestNumber() {
     for (int first = 0; first < 9; first++) {
       SimplePolygon polygon =
-          SimplePolygon.of(Transforms.startingAt(RandomPolygons.convex(9, new Random(1)), first));
-      assertThat(Aqt.triangulate(polygon).degree(0)).as("begun at %d", first).isEqualTo(6);
+          SimplePolygon.of(
+              Transforms.startingAt(RandomPolygons.convex(9, new Random(1)), first), Progress.NONE);
+      assertThat(Aqt.triangulate(polygon, Progress.NONE).degree(0))
+          .as("begun at %d", first)
+          .isEqualTo(6);
     }
   }
 
   @Test
   void aqtRefusesWhatIsNotStrictlyConvex() {
-    SimplePolygon straight = SimplePolygon.of(Points.ofPairs(0, 0, 2, 0, 4, 0, 2, 3));
-    assertThatThrownBy(() -> Aqt.triangulate(straight))
+    SimplePolygon straight =
+        SimplePolygon.of(Points.ofPairs(0, 0, 2, 0, 4, 0, 2, 3), Progress.NONE);
+    assertThatThrownBy(() -> Aqt.triangulate(straight, Progress.NONE))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("180°");
-    SimplePolygon reflex = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 1, 1, 0, 4));
-    assertThatThrownBy(() -> Aqt.triangulate(reflex))
+    SimplePolygon reflex = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 1, 1, 0, 4), Progress.NONE);
+    assertThatThrownBy(() -> Aqt.triangulate(reflex, Progress.NONE))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("180°");
   }

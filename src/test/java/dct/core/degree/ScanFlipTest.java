@@ -39,12 +39,12 @@ class ScanFlipTest {
     for (int seed = 0; seed < 60; seed++) {
       Points p = family.make(4 + seed % 40, seed);
       String what = family + ", seed " + seed;
-      SimplePolygon polygon = SimplePolygon.of(p);
+      SimplePolygon polygon = SimplePolygon.of(p, Progress.NONE);
       compare(EarClipping.triangulate(polygon, Progress.NONE), what);
       compare(MonotoneTriangulation.triangulate(polygon, Progress.NONE), what);
       compare(PartitioningAqt.triangulate(polygon, Progress.NONE), what);
       compare(OddFan.triangulate(polygon, Progress.NONE), what);
-      SimplePolygon reversed = SimplePolygon.of(Transforms.reversed(p));
+      SimplePolygon reversed = SimplePolygon.of(Transforms.reversed(p), Progress.NONE);
       compare(MonotoneTriangulation.triangulate(reversed, Progress.NONE), what + ", reversed");
     }
   }
@@ -62,7 +62,8 @@ class ScanFlipTest {
   void someRunsFlipALot() {
     var sites = RandomSets.families().get(0).make(200, 1);
     assertThat(compare(Delaunay.triangulate(sites, Progress.NONE), "200 sites")).isGreaterThan(9);
-    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.families().get(0).make(60, 1));
+    SimplePolygon polygon =
+        SimplePolygon.of(RandomPolygons.families().get(0).make(60, 1), Progress.NONE);
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
     assertThat(compare(monotone, "60 vertices")).isGreaterThan(2);
   }
@@ -71,7 +72,8 @@ class ScanFlipTest {
   void aSecondRunStartsWithoutMarks() {
     for (int seed = 0; seed < 50; seed++) {
       var sites = RandomSets.families().get(0).make(40, seed);
-      Triangulation once = ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE)).after();
+      Triangulation once =
+          ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE), Progress.NONE).after();
       compare(once, "second run, seed " + seed);
     }
   }
@@ -80,7 +82,7 @@ class ScanFlipTest {
   private static int compare(Triangulation before, String what) {
     Map<Edge, EdgeKind> given = ScanFlipReference.edges(before);
     ScanFlipReference expected = ScanFlipReference.run(before);
-    FlipResult result = ScanFlip.run(before);
+    FlipResult result = ScanFlip.run(before, Progress.NONE);
     assertThat(ScanFlipReference.edges(result.after())).as(what).isEqualTo(expected.edges());
     assertThat(result.flips()).as(what).isEqualTo(expected.gains().size());
     assertThat(expected.gains()).as(what).allMatch(gain -> gain == 2 || gain == 4);
@@ -96,7 +98,7 @@ class ScanFlipTest {
   void keepsTheNumbersAndKindsOfTheOtherEdges() {
     var sites = RandomSets.families().get(0).make(80, 3);
     Triangulation before = Delaunay.triangulate(sites, Progress.NONE);
-    Triangulation after = ScanFlip.run(before).after();
+    Triangulation after = ScanFlip.run(before, Progress.NONE).after();
     Map<EdgeKind, Integer> seen = new HashMap<>();
     for (int edge = 0; edge < before.edgeCount(); edge++) {
       seen.merge(after.kind(edge), 1, Integer::sum);
@@ -112,15 +114,17 @@ class ScanFlipTest {
   /** Four odd corners: a square alone has degrees 2 3 2 3, so that two odd ones are not enough. */
   @Test
   void needsMoreThanTwoOddVertices() {
-    SimplePolygon square = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4));
-    assertThat(ScanFlip.run(EarClipping.triangulate(square, Progress.NONE)).flips()).isZero();
+    SimplePolygon square = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4), Progress.NONE);
+    assertThat(ScanFlip.run(EarClipping.triangulate(square, Progress.NONE), Progress.NONE).flips())
+        .isZero();
   }
 
   /** A fan of a pentagon: degrees 4 2 3 3 2 have two odd vertices, and Q has at most two. */
   @Test
   void leavesWhatCannotGain() {
-    SimplePolygon pentagon = SimplePolygon.of(Points.ofPairs(0, 0, 3, 0, 5, 3, 2, 5, -1, 3));
-    FlipResult result = ScanFlip.run(OddFan.triangulate(pentagon, Progress.NONE));
+    SimplePolygon pentagon =
+        SimplePolygon.of(Points.ofPairs(0, 0, 3, 0, 5, 3, 2, 5, -1, 3), Progress.NONE);
+    FlipResult result = ScanFlip.run(OddFan.triangulate(pentagon, Progress.NONE), Progress.NONE);
     assertThat(result.flips()).isZero();
     assertThat(DegreeCount.of(result.after())).isEqualTo(DegreeCount.of(result.before()));
   }

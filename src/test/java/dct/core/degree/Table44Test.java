@@ -23,10 +23,10 @@ class Table44Test {
     double after = 0;
     for (int set = 1; set <= 5; set++) {
       for (int n = 50; n <= 500; n += 50) {
-        Sites sites = Sites.of(RandomSites.uniform(n, 1000L * set + n));
+        Sites sites = Sites.of(RandomSites.uniform(n, 1000L * set + n), Progress.NONE);
         assertThat(sites.size()).isEqualTo(n);
         Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
-        FlipResult result = ScanFlip.run(delaunay);
+        FlipResult result = ScanFlip.run(delaunay, Progress.NONE);
         DegreeCount was = DegreeCount.of(delaunay);
         DegreeCount is = DegreeCount.of(result.after());
         table.append(row(set, n, was, is));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dct.core.Progress;
 import dct.core.geometry.Defect.Kind;
 import dct.testing.ExactArea;
 import dct.testing.ForeignDataTest;
@@ -68,7 +69,7 @@ class SimplicityCheckTest {
   }
 
   private static void check(Points p, String what) {
-    Optional<Defect> found = SimplicityCheck.firstDefect(p);
+    Optional<Defect> found = SimplicityCheck.firstDefect(p, Progress.NONE);
     assertThat(found.isEmpty()).as("simple, %s", what).isEqualTo(SimplicityOracle.isSimple(p));
     found.ifPresent(defect -> checkDefect(p, defect, what));
   }
@@ -149,7 +150,7 @@ class SimplicityCheckTest {
   @ValueSource(doubles = {0x1p-1040, 0x1p-700, 0x1p-400, 1, 0x1p400, 0x1p700, 0x1p1000})
   void namesTheCrossingAtEveryScale(double factor) {
     Points bowTie = Transforms.scaled(Points.ofPairs(0, 0, 8, 8, 8, 0, 0, 8), factor);
-    Defect d = SimplicityCheck.firstDefect(bowTie).orElseThrow();
+    Defect d = SimplicityCheck.firstDefect(bowTie, Progress.NONE).orElseThrow();
     assertThat(d).isEqualTo(new Defect(Kind.CROSSING, 0, 2, 4 * factor, 4 * factor, 4));
   }
 
@@ -173,23 +174,23 @@ class SimplicityCheckTest {
   }
 
   private static Kind kind(double... pairs) {
-    return SimplicityCheck.firstDefect(Points.ofPairs(pairs)).orElseThrow().kind();
+    return SimplicityCheck.firstDefect(Points.ofPairs(pairs), Progress.NONE).orElseThrow().kind();
   }
 
   @Test
   void messagesNameTheEdgesAsThePersonCountsThem() {
     Points bowTie = Points.ofPairs(0, 0, 8, 8, 8, 0, 0, 8);
-    assertThat(SimplicityCheck.firstDefect(bowTie).orElseThrow().message())
+    assertThat(SimplicityCheck.firstDefect(bowTie, Progress.NONE).orElseThrow().message())
         .isEqualTo("edges v0–v1 and v2–v3 cross at (4, 4); move a vertex of one of them");
     Points last = Transforms.startingAt(bowTie, 1);
-    assertThat(SimplicityCheck.firstDefect(last).orElseThrow().message())
+    assertThat(SimplicityCheck.firstDefect(last, Progress.NONE).orElseThrow().message())
         .contains("edges v1–v2 and v3–v0 cross");
   }
 
   @Test
   void aPolygonRefusesADefectAndCarriesIt() {
     Points bowTie = Points.ofPairs(0, 0, 8, 8, 8, 0, 0, 8);
-    assertThatThrownBy(() -> SimplePolygon.of(bowTie))
+    assertThatThrownBy(() -> SimplePolygon.of(bowTie, Progress.NONE))
         .isInstanceOfSatisfying(
             InvalidGeometryException.class,
             e -> assertThat(e.defect().kind()).isEqualTo(Kind.CROSSING));
@@ -199,7 +200,9 @@ class SimplicityCheckTest {
   void refusesEverySharedFileThatIsNotSimple() {
     for (Path file : SharedData.files("not_simple")) {
       Points p = SharedData.read(file);
-      assertThat(SimplicityCheck.firstDefect(p)).as("%s", file.getFileName()).isPresent();
+      assertThat(SimplicityCheck.firstDefect(p, Progress.NONE))
+          .as("%s", file.getFileName())
+          .isPresent();
       check(p, file.getFileName().toString());
     }
   }
@@ -208,7 +211,9 @@ class SimplicityCheckTest {
   void acceptsEverySharedPolygonAndNamesOneSpoiltEdge() {
     for (Path file : SharedData.files("polygons")) {
       Points p = SharedData.read(file);
-      assertThat(SimplicityCheck.firstDefect(p)).as("%s", file.getFileName()).isEmpty();
+      assertThat(SimplicityCheck.firstDefect(p, Progress.NONE))
+          .as("%s", file.getFileName())
+          .isEmpty();
       if (p.size() > 3) {
         Points spoilt = p.moved(1, p.x(2), p.y(2)).moved(2, p.x(1), p.y(1));
         check(spoilt, file.getFileName() + " with v1 and v2 changed");
@@ -227,9 +232,12 @@ class SimplicityCheckTest {
       pairs[2 * (n - 1 - i) + 1] = i % 2 + 3;
     }
     Points comb = Points.ofPairs(pairs);
-    assertThat(SimplicityCheck.firstDefect(comb)).isEmpty();
+    assertThat(SimplicityCheck.firstDefect(comb, Progress.NONE)).isEmpty();
     Points spoilt = comb.moved(77_777, comb.x(77_777), -0.5);
-    checkDefect(spoilt, SimplicityCheck.firstDefect(spoilt).orElseThrow(), "one tooth too long");
+    checkDefect(
+        spoilt,
+        SimplicityCheck.firstDefect(spoilt, Progress.NONE).orElseThrow(),
+        "one tooth too long");
   }
 
   @Test
@@ -237,8 +245,8 @@ class SimplicityCheckTest {
     for (RandomPolygons.Family family : RandomPolygons.families()) {
       for (int seed = 0; seed < 40; seed++) {
         Points p = family.make(4 + seed, seed);
-        SimplePolygon polygon = SimplePolygon.of(p);
-        SimplePolygon reversed = SimplePolygon.of(Transforms.reversed(p));
+        SimplePolygon polygon = SimplePolygon.of(p, Progress.NONE);
+        SimplePolygon reversed = SimplePolygon.of(Transforms.reversed(p), Progress.NONE);
         assertThat(polygon.isClockwise()).isEqualTo(!reversed.isClockwise());
         int[] walk = polygon.walk();
         assertThat(walk[0]).isZero();

@@ -3,6 +3,7 @@ package dct.core.triangulate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.Predicates;
 import dct.core.geometry.SimplePolygon;
@@ -47,7 +48,8 @@ class ChordsTest {
   }
 
   private static void check(Points p, String what) {
-    List<Chord> chords = MonotonePartition.chords(SimplePolygon.of(p));
+    List<Chord> chords =
+        MonotonePartition.chords(SimplePolygon.of(p, Progress.NONE), Progress.NONE);
     int expected = 0;
     for (int v = 0; v < p.size(); v++) {
       expected += checkSide(p, v, -1, chords, what) + checkSide(p, v, 1, chords, what);
@@ -120,7 +122,8 @@ class ChordsTest {
     Points cross =
         Points.ofPairs(1, 0, 2, 0, 2, 1, 3, 1, 3, 2, 2, 2, 2, 3, 1, 3, 1, 2, 0, 2, 0, 1, 1, 1);
     for (Transforms.Named image : Transforms.all(cross)) {
-      List<Chord> chords = MonotonePartition.chords(SimplePolygon.of(image.points()));
+      List<Chord> chords =
+          MonotonePartition.chords(SimplePolygon.of(image.points(), Progress.NONE), Progress.NONE);
       assertThat(chords).as("%s", image).hasSize(4);
       check(image.points(), image.name());
     }
@@ -129,7 +132,8 @@ class ChordsTest {
   @Test
   void aTriangleHasOneChord() {
     List<Chord> chords =
-        MonotonePartition.chords(SimplePolygon.of(Points.ofPairs(0, 0, 8, 2, 0, 4)));
+        MonotonePartition.chords(
+            SimplePolygon.of(Points.ofPairs(0, 0, 8, 2, 0, 4), Progress.NONE), Progress.NONE);
     assertThat(chords).containsExactly(new Chord(1, 0, 2));
   }
 }

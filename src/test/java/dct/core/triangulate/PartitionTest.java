@@ -31,10 +31,10 @@ class PartitionTest {
     for (int seed = 0; seed < 60; seed++) {
       Points p = family.make(4 + seed % 8, seed);
       if (p.size() <= FewestConvexPieces.MOST_VERTICES) {
-        SimplePolygon polygon = SimplePolygon.of(p);
+        SimplePolygon polygon = SimplePolygon.of(p, Progress.NONE);
         int fewest = FewestConvexPieces.of(polygon);
         for (Triangulation t : triangulations(polygon)) {
-          int pieces = HertelMehlhorn.partition(polygon, t).pieces();
+          int pieces = HertelMehlhorn.partition(polygon, t, Progress.NONE).pieces();
           assertThat(pieces)
               .as("%s, seed %d, fewest %d", family, seed, fewest)
               .isBetween(fewest, 4 * fewest);
@@ -48,9 +48,9 @@ class PartitionTest {
   @MethodSource("families")
   void noDiagonalBetweenConvexPiecesIsSpare(Family family) {
     for (int seed = 0; seed < 40; seed++) {
-      SimplePolygon polygon = SimplePolygon.of(family.make(4 + seed % 20, seed));
+      SimplePolygon polygon = SimplePolygon.of(family.make(4 + seed % 20, seed), Progress.NONE);
       for (Triangulation t : triangulations(polygon)) {
-        Partition partition = HertelMehlhorn.partition(polygon, t);
+        Partition partition = HertelMehlhorn.partition(polygon, t, Progress.NONE);
         for (int edge = 0; edge < partition.dcel().edgeBound(); edge++) {
           if (!partition.dcel().isBoundary(edge)) {
             refusesConvexity(without(partition, edge), family + ", seed " + seed);
@@ -80,10 +80,11 @@ class PartitionTest {
 
   @Test
   void aConvexPolygonIsOnePiece() {
-    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.convex(20, new Random(1)));
+    SimplePolygon polygon =
+        SimplePolygon.of(RandomPolygons.convex(20, new Random(1)), Progress.NONE);
     assertThat(MonotonePartition.partition(polygon, Progress.NONE).pieces()).isEqualTo(1);
     for (Triangulation t : triangulations(polygon)) {
-      assertThat(HertelMehlhorn.partition(polygon, t).pieces()).isEqualTo(1);
+      assertThat(HertelMehlhorn.partition(polygon, t, Progress.NONE).pieces()).isEqualTo(1);
     }
   }
 
@@ -100,7 +101,7 @@ class PartitionTest {
   }
 
   private static SimplePolygon polygon(double... pairs) {
-    return SimplePolygon.of(Points.ofPairs(pairs));
+    return SimplePolygon.of(Points.ofPairs(pairs), Progress.NONE);
   }
 
   @Test

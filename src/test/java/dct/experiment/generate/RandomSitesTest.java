@@ -3,6 +3,7 @@ package dct.experiment.generate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import java.util.Arrays;
@@ -17,7 +18,7 @@ class RandomSitesTest {
   void gives_as_many_different_sites_as_asked_for(int n) {
     Points points = RandomSites.uniform(n, 7);
     assertThat(points.size()).isEqualTo(n);
-    assertThat(Sites.of(points).merged()).isZero();
+    assertThat(Sites.of(points, Progress.NONE).merged()).isZero();
   }
 
   @Test

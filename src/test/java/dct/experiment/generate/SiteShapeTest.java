@@ -22,7 +22,7 @@ class SiteShapeTest {
       Area area = seed % 2 == 0 ? shape.areaFor(n) : new Area(40 + seed, 70, seed % 4 == 1);
       Points p = shape.generate(n, area, seed, Progress.NONE);
       assertThat(p.size()).isEqualTo(n);
-      assertThat(Sites.of(p).merged()).as("seed %d", seed).isZero();
+      assertThat(Sites.of(p, Progress.NONE).merged()).as("seed %d", seed).isZero();
       assertThat(Arrays.stream(p.xs()))
           .allMatch(x -> x >= 0 && x < area.width() && isPlace(x, area));
       assertThat(Arrays.stream(p.ys()))

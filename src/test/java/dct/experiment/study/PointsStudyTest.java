@@ -51,8 +51,8 @@ class PointsStudyTest {
   void each_row_is_what_its_seed_makes() {
     for (StudyRow row : rows) {
       Trial trial = row.trial();
-      Sites sites = Sites.of(RandomSites.uniform(trial.n(), trial.seed()));
-      FlipResult flips = ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE));
+      Sites sites = Sites.of(RandomSites.uniform(trial.n(), trial.seed()), Progress.NONE);
+      FlipResult flips = ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE), Progress.NONE);
       assertThat(row.count(PointsStudy.BEFORE)).isEqualTo(DegreeCount.of(flips.before()).even());
       assertThat(row.count(PointsStudy.AFTER)).isEqualTo(DegreeCount.of(flips.after()).even());
     }

@@ -21,7 +21,9 @@ class PolygonsStudyTest {
   private static final Study STUDY =
       new PolygonsStudy(
           new StudyPlan(SHAPES, List.of(10, 100), 4, 1),
-          Map.of(PENTAGON, SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 2, 1, 0, 4))));
+          Map.of(
+              PENTAGON,
+              SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 2, 1, 0, 4), Progress.NONE)));
 
   private static List<StudyRow> rows;
 

@@ -28,7 +28,7 @@ class CanvasPanelTest {
   void size() {
     canvas.setSize(1000, 700);
     Points sites = Points.ofPairs(100, 100, 900, 100, 500, 600);
-    canvas.setScene(Scene.of(Delaunay.triangulate(Sites.of(sites), Progress.NONE)));
+    canvas.setScene(Scene.of(Delaunay.triangulate(Sites.of(sites, Progress.NONE), Progress.NONE)));
   }
 
   @Test

@@ -59,7 +59,7 @@ class EditorTest {
 
   private Analysis flipped() {
     Analysis shown = sites.shown();
-    return shown.flipped(ScanFlip.run(shown.triangulation().orElseThrow()));
+    return shown.flipped(ScanFlip.run(shown.triangulation().orElseThrow(), Progress.NONE));
   }
 
   @Test

@@ -59,7 +59,7 @@ public final class PolygonOptimizer {
   private Optimum run() {
     LowerBound bound = PolygonBounds.of(polygon.size(), goal);
     if (goal.isAll(ParityGoal.Wish.EVEN) && ConvexPieces.isConvex(polygon)) {
-      return optimum(Aqt.triangulate(polygon), bound, false);
+      return optimum(Aqt.triangulate(polygon, progress), bound, false);
     }
     Triangulation start = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
     try {

@@ -47,10 +47,10 @@ public final class PolygonImprover {
     Triangulation best = monotone;
     for (Triangulation other :
         new Triangulation[] {
-          ScanFlip.run(monotone).after(),
+          ScanFlip.run(monotone, Progress.NONE).after(),
           pieces,
-          ScanFlip.run(pieces).after(),
-          ScanFlip.run(clipped).after()
+          ScanFlip.run(pieces, Progress.NONE).after(),
+          ScanFlip.run(clipped, Progress.NONE).after()
         }) {
       best = goal.unsatisfied(other) < goal.unsatisfied(best) ? other : best;
     }

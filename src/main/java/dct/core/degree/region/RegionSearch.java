@@ -91,7 +91,7 @@ final class RegionSearch {
       x[k] = points.x(dcel.origin(corner[k]));
       y[k] = points.y(dcel.origin(corner[k]));
     }
-    return SimplePolygon.of(Points.of(x, y));
+    return SimplePolygon.of(Points.of(x, y), progress);
   }
 
   private int countUnsatisfied(int[] corner) {

@@ -28,7 +28,7 @@ class BestTriangulationTest {
     StringBuilder table = new StringBuilder("\n set    n  before  scan-flip  best  bound\n");
     for (int set = 1; set <= 5; set++) {
       for (int n = 50; n <= 500; n += 50) {
-        Sites sites = Sites.of(RandomSites.uniform(n, 1000L * set + n));
+        Sites sites = Sites.of(RandomSites.uniform(n, 1000L * set + n), Progress.NONE);
         Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
         ParityGoal goal = ParityGoal.allEven(n);
 
@@ -45,7 +45,7 @@ class BestTriangulationTest {
                     set,
                     n,
                     DegreeCount.of(delaunay).odd(),
-                    DegreeCount.of(ScanFlip.run(delaunay).after()).odd(),
+                    DegreeCount.of(ScanFlip.run(delaunay, Progress.NONE).after()).odd(),
                     best.unsatisfied(),
                     best.bound().value()));
       }
@@ -56,7 +56,7 @@ class BestTriangulationTest {
   @Test
   void fewSitesAreSolvedExactly() {
     for (int seed = 0; seed < 20; seed++) {
-      Sites sites = Sites.of(RandomSites.uniform(5 + seed % 8, seed));
+      Sites sites = Sites.of(RandomSites.uniform(5 + seed % 8, seed), Progress.NONE);
       ParityGoal goal = ParityGoal.allEven(sites.size());
 
       Optimum best = BestTriangulation.of(sites, goal, SearchLimits.DEFAULT, Progress.NONE);
@@ -68,7 +68,8 @@ class BestTriangulationTest {
 
   @Test
   void polygonsGoToTheExactTable() {
-    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(80, new Random(1)));
+    SimplePolygon polygon =
+        SimplePolygon.of(RandomPolygons.starShaped(80, new Random(1)), Progress.NONE);
     ParityGoal goal = ParityGoal.allOdd(polygon.size());
 
     Optimum best = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);

@@ -55,7 +55,7 @@ class BoundCheckTest {
   @MethodSource("polygons")
   void claimsAboutPolygonsAreDecided(RandomPolygons.Family family) {
     for (int seed = 0; seed < 4; seed++) {
-      SimplePolygon polygon = SimplePolygon.of(family.make(30, seed));
+      SimplePolygon polygon = SimplePolygon.of(family.make(30, seed), Progress.NONE);
       ParityGoal goal = ParityGoal.allEven(polygon.size());
       Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
       for (int claimed : new int[] {best.unsatisfied(), best.unsatisfied() + 2}) {

@@ -42,7 +42,7 @@ class PolygonOptimizerTest {
         Random random = new Random(seed);
         Points points = family.maker().make(4 + random.nextInt(8), random);
         if (points.size() <= 11) {
-          SimplePolygon polygon = SimplePolygon.of(points);
+          SimplePolygon polygon = SimplePolygon.of(points, Progress.NONE);
           for (ParityGoal goal : goals(points.size(), random)) {
             Optimum optimum = optimize(polygon, goal);
             assertThat(optimum.unsatisfied())
@@ -105,7 +105,7 @@ class PolygonOptimizerTest {
       String[] columns = line.split("\t", -1);
       if (columns[0].startsWith("polygons/") && !columns[3].equals("-")) {
         Path file = table.resolveSibling(columns[0]);
-        SimplePolygon polygon = SimplePolygon.of(SharedData.read(file));
+        SimplePolygon polygon = SimplePolygon.of(SharedData.read(file), Progress.NONE);
         assertThat(optimize(polygon, ParityGoal.allEven(polygon.size())).unsatisfied())
             .as(columns[0])
             .isEqualTo(Integer.parseInt(columns[3]));
@@ -118,7 +118,8 @@ class PolygonOptimizerTest {
   @Test
   void convexPolygonsMeetLemmas32And33() {
     for (int n = 3; n <= 60; n++) {
-      SimplePolygon polygon = SimplePolygon.of(RandomPolygons.convex(n, new Random(n)));
+      SimplePolygon polygon =
+          SimplePolygon.of(RandomPolygons.convex(n, new Random(n)), Progress.NONE);
       int size = polygon.size();
       Optimum optimum = optimize(polygon, ParityGoal.allEven(size));
       assertThat(optimum.unsatisfied()).isEqualTo(size % 3 == 0 ? 0 : 2);
@@ -131,7 +132,8 @@ class PolygonOptimizerTest {
   void theArcsBetweenOddVerticesAlternateToZeroModuloThree() {
     for (RandomPolygons.Family family : RandomPolygons.families()) {
       for (int seed = 0; seed < 10; seed++) {
-        SimplePolygon polygon = SimplePolygon.of(family.maker().make(60, new Random(seed)));
+        SimplePolygon polygon =
+            SimplePolygon.of(family.maker().make(60, new Random(seed)), Progress.NONE);
         Optimum optimum = optimize(polygon, ParityGoal.allEven(polygon.size()));
         assertThat(alternatingArcs(optimum.triangulation()) % 3)
             .as("%s, seed %d", family, seed)
@@ -162,7 +164,7 @@ class PolygonOptimizerTest {
   void theImproverComesWithinOnePercentOfTheOptimum() {
     for (int seed = 0; seed < 3; seed++) {
       Points points = RandomPolygons.starShaped(1500, new Random(seed));
-      SimplePolygon polygon = SimplePolygon.of(points);
+      SimplePolygon polygon = SimplePolygon.of(points, Progress.NONE);
       ParityGoal goal = ParityGoal.allEven(points.size());
       PolygonImprover improver =
           new PolygonImprover(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
@@ -181,7 +183,8 @@ class PolygonOptimizerTest {
 
   @Test
   void aCancelOrATimeLimitReturnsTheBestSoFarAtOnce() {
-    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(3000, new Random(1)));
+    SimplePolygon polygon =
+        SimplePolygon.of(RandomPolygons.starShaped(3000, new Random(1)), Progress.NONE);
     ParityGoal goal = ParityGoal.allEven(polygon.size());
     Progress cancelled =
         new Progress() {

@@ -73,7 +73,7 @@ class EmptyFanTest {
 
   @Test
   void givesUpAtTooManyTriangles() {
-    Sites square = Sites.of(Points.ofPairs(0, 0, 1, 0, 1, 1, 0, 1));
+    Sites square = Sites.of(Points.ofPairs(0, 0, 1, 0, 1, 1, 0, 1), Progress.NONE);
     HullRing ring = HullRing.of(Delaunay.triangulate(square, Progress.NONE));
     assertThat(EmptyFan.of(ring, 0, 3)).isPresent();
     assertThat(EmptyFan.of(ring, 0, 2)).isEmpty();

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SiteBoundsTest {
 
   private static Triangulation delaunay(double... pairs) {
-    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs)), Progress.NONE);
+    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
   }
 
   private static LowerBound allEven(Triangulation triangulation) {
@@ -86,7 +86,8 @@ class SiteBoundsTest {
   @Test
   void aLatticeWithASiteMissingIsNoFullLattice() {
     Points full = lattice(5, 6, 1, 0, 0, 1).points();
-    Triangulation holed = Delaunay.triangulate(Sites.of(full.removed(12)), Progress.NONE);
+    Triangulation holed =
+        Delaunay.triangulate(Sites.of(full.removed(12), Progress.NONE), Progress.NONE);
     assertThat(LatticeBound.of(HullRing.of(holed), ParityGoal.allEven(29)).value()).isZero();
   }
 
@@ -145,7 +146,7 @@ class SiteBoundsTest {
 
   @Test
   void triangulationsOfPolygonsAreRefused() throws Exception {
-    SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4));
+    SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4), Progress.NONE);
     Triangulation triangulation = EarClipping.triangulate(polygon, Progress.NONE);
     assertThatThrownBy(() -> allEven(triangulation)).isInstanceOf(IllegalArgumentException.class);
   }

@@ -47,7 +47,8 @@ class SiteOptimumTest {
       Points points = sets.containsKey(cells[0]) ? sets.get(cells[0]) : lattice(cells[0]);
       assertThat(points.size()).as(cells[0]).isEqualTo(Integer.parseInt(cells[1]));
       boolean proven = cells[5].equals("yes");
-      ROWS.add(new Row(cells[0], Sites.of(points), Integer.parseInt(cells[4]), proven));
+      ROWS.add(
+          new Row(cells[0], Sites.of(points, Progress.NONE), Integer.parseInt(cells[4]), proven));
     }
   }
 

@@ -20,7 +20,7 @@ class ExactSitesTest {
 
   private static Triangulation random(int n, long seed) {
     double[] pairs = new Random(seed).doubles(2L * n).toArray();
-    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs)), Progress.NONE);
+    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
   }
 
   @Test
@@ -28,7 +28,7 @@ class ExactSitesTest {
     Triangulation start = random(16, 5);
     Optimum optimum = ExactSites.optimize(start, ParityGoal.allEven(16), Progress.NONE);
     TriangulationAssert.assertThat(optimum.triangulation())
-        .isTriangulationOf(Sites.of(start.points()));
+        .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
     assertThat(optimum.isProven()).isTrue();
     assertThat(optimum.interrupted()).isFalse();
     assertThat(optimum.bound().reason()).isEqualTo("every triangulation of 16 sites searched");
@@ -53,7 +53,8 @@ class ExactSitesTest {
       pairs[2 * i] = i % 5;
       pairs[2 * i + 1] = Math.floorDiv(i, 5);
     }
-    Triangulation lattice = Delaunay.triangulate(Sites.of(Points.ofPairs(pairs)), Progress.NONE);
+    Triangulation lattice =
+        Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
     assertThat(ExactSites.canSolve(lattice)).isTrue();
     assertThat(ExactSites.optimize(lattice, ParityGoal.allEven(20), Progress.NONE).unsatisfied())
         .isEqualTo(2);
@@ -62,7 +63,8 @@ class ExactSitesTest {
   @Test
   void sitesOnOneLineKeepTheirPath() {
     Triangulation path =
-        Delaunay.triangulate(Sites.of(Points.ofPairs(0, 0, 1, 1, 2, 2)), Progress.NONE);
+        Delaunay.triangulate(
+            Sites.of(Points.ofPairs(0, 0, 1, 1, 2, 2), Progress.NONE), Progress.NONE);
     Optimum optimum = ExactSites.optimize(path, ParityGoal.allEven(3), Progress.NONE);
     assertThat(optimum.triangulation()).isSameAs(path);
     assertThat(optimum.unsatisfied()).isEqualTo(2);

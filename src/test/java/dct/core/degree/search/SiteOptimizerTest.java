@@ -34,7 +34,7 @@ class SiteOptimizerTest {
     for (int i = 0; i < pairs.length; i++) {
       pairs[i] = random.nextInt(10_000);
     }
-    return Sites.of(Points.ofPairs(pairs));
+    return Sites.of(Points.ofPairs(pairs), Progress.NONE);
   }
 
   private static Triangulation delaunay(Sites sites) {
@@ -168,7 +168,7 @@ class SiteOptimizerTest {
       pairs[2 * i] = i % columns;
       pairs[2 * i + 1] = row;
     }
-    Sites sites = Sites.of(Points.ofPairs(pairs));
+    Sites sites = Sites.of(Points.ofPairs(pairs), Progress.NONE);
     LowerBound two = new LowerBound(2, "a full lattice rectangle");
     assertThat(optimize(sites, ParityGoal.allEven(columns * rows), two).isProven()).isTrue();
   }
@@ -190,7 +190,7 @@ class SiteOptimizerTest {
       pairs[2 * i] = i - half;
       pairs[2 * n + 2 * i + 1] = i - half;
     }
-    return Sites.of(Points.ofPairs(pairs));
+    return Sites.of(Points.ofPairs(pairs), Progress.NONE);
   }
 
   @Test
@@ -212,7 +212,7 @@ class SiteOptimizerTest {
       pairs[2 * i] = i;
       pairs[2 * i + 1] = 3 * i;
     }
-    Sites sites = Sites.of(Points.ofPairs(pairs));
+    Sites sites = Sites.of(Points.ofPairs(pairs), Progress.NONE);
     assertThat(optimize(sites, ParityGoal.allEven(n), NONE).interrupted()).isFalse();
   }
 

@@ -35,7 +35,7 @@ class SweepBeamTest {
     for (int i = 0; i < pairs.length; i++) {
       pairs[i] = random.nextInt(side);
     }
-    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs)), Progress.NONE);
+    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
   }
 
   private static ParityGoal goal(int n, Random random) {
@@ -75,7 +75,8 @@ class SweepBeamTest {
       if (start.triangleCount() > 0) {
         ParityGoal goal = goal(start.vertexCount(), random);
         Triangulation best = solved(start, goal, random.nextInt(4), WIDE, seed);
-        TriangulationAssert.assertThat(best).isTriangulationOf(Sites.of(start.points()));
+        TriangulationAssert.assertThat(best)
+            .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
         assertThat(goal.unsatisfied(best))
             .as("side %d, seed %d", side, seed)
             .isEqualTo(ExactSites.optimize(start, goal, Progress.NONE).unsatisfied());
@@ -107,7 +108,7 @@ class SweepBeamTest {
     }
     assertThat(mesh.unsatisfied()).isLessThan(goal.unsatisfied(start));
     TriangulationAssert.assertThat(mesh.toTriangulation(start))
-        .isTriangulationOf(Sites.of(start.points()));
+        .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
   }
 
   @Test
