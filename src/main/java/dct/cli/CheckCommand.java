@@ -15,6 +15,11 @@ final class CheckCommand extends Verb {
   }
 
   @Override
+  boolean isSilent() {
+    return isSet(quiet);
+  }
+
+  @Override
   public Integer call() throws IOException {
     Shape shape = Shape.of(input.read());
     if (!isSet(quiet)) {

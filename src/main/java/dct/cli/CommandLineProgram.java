@@ -53,7 +53,7 @@ public final class CommandLineProgram {
 
   private int run(String... arguments) {
     if (arguments.length > 0 && !isVerb(arguments[0]) && !arguments[0].startsWith("-")) {
-      return wrongUsage(arguments[0] + " is neither a verb nor a file", "dct");
+      return wrongUsage(withoutVerb(List.of(arguments)), "dct");
     }
     try {
       int status = commandLine(arguments).execute(arguments);
@@ -61,6 +61,17 @@ public final class CommandLineProgram {
     } catch (StackOverflowError | OutOfMemoryError e) {
       return explain(e);
     }
+  }
+
+  /** What is wrong with arguments that begin with no verb. */
+  private static String withoutVerb(List<String> arguments) {
+    String stray = arguments.stream().filter(a -> !FileArguments.isFile(a)).findFirst().orElse("");
+    if (stray.equals(arguments.get(0))) {
+      return "\"%s\" is neither a verb nor a file%s".formatted(stray, Spelling.hint(stray, VERBS));
+    }
+    return isVerb(stray) || stray.startsWith("-") || stray.isEmpty()
+        ? "a verb is missing, it comes before files and options"
+        : "\"" + stray + "\" is no file";
   }
 
   private int flushed() {
@@ -82,7 +93,9 @@ public final class CommandLineProgram {
         .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
         .setOut(new PrintWriter(console.out(), false, StandardCharsets.UTF_8))
         .setErr(new PrintWriter(console.err(), true, StandardCharsets.UTF_8))
-        .setParameterExceptionHandler((e, args) -> wrongUsage(e.getMessage(), e.getCommandLine()))
+        .setExpandAtFiles(false) // @ may begin a file's name
+        .setParameterExceptionHandler(
+            (e, args) -> wrongUsage(UsageSentence.of(e, args), e.getCommandLine()))
         .setExecutionExceptionHandler((e, command, result) -> explain(e, command));
   }
 
@@ -125,7 +138,11 @@ public final class CommandLineProgram {
   }
 
   private int explain(Exception e, CommandLine command) {
-    return e instanceof UsageException ? wrongUsage(e.getMessage(), command) : explain(e);
+    if (e instanceof UsageException) {
+      return wrongUsage(e.getMessage(), command);
+    }
+    boolean silent = command.getCommand() instanceof Verb verb && verb.isSilent();
+    return silent && e instanceof BadInputException ? BAD_INPUT : explain(e);
   }
 
   private int explain(Throwable e) {

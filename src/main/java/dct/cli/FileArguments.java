@@ -33,6 +33,11 @@ public final class FileArguments {
     return Optional.of(files);
   }
 
+  /** Whether there is a file of this name, as the window would open it. */
+  static boolean isFile(String name) {
+    return file(name).isPresent();
+  }
+
   private static Optional<Path> file(String name) {
     try {
       return Optional.of(FileNames.forOpening(Path.of(name))).filter(Files::isRegularFile);

@@ -91,7 +91,7 @@ final class GenerateCommand extends Verb {
       return switch (word) {
         case "points" -> points();
         case "polygon" -> polygon();
-        default -> throw new UsageException(word + " cannot be made, only points or polygon");
+        default -> throw UsageException.unknown("the kind", word, List.of("points", "polygon"));
       };
     } catch (CannotGenerateException e) {
       throw new UsageException(e.getMessage());
@@ -119,8 +119,8 @@ final class GenerateCommand extends Verb {
         wished.generate(count, area(wished.areaFor(count)), seed(), Progress.NONE).points());
   }
 
-  private static UsageException unknown(String word, String words) {
-    return new UsageException("--shape %s is unknown, use %s".formatted(word, words));
+  private static UsageException unknown(String word, List<String> words) {
+    return UsageException.unknown("--shape", word, words);
   }
 
   private long seed() {

@@ -8,6 +8,7 @@ import dct.io.PointFile;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
@@ -55,9 +56,12 @@ final class InputParameters {
   /**
    * The path of this name.
    *
-   * @throws BadInputException if no file can have it
+   * @throws BadInputException if it is empty or no file can have it
    */
   static Path path(String name) {
+    if (name.isEmpty()) {
+      throw new BadInputException("\"\"", 0, "this is no name of a file; name one");
+    }
     try {
       return Path.of(name);
     } catch (InvalidPathException e) {
@@ -73,7 +77,7 @@ final class InputParameters {
     }
     Optional<Domain> domain = DomainWord.parse(word);
     if (domain.isEmpty()) {
-      throw new UsageException("--as " + word + " is unknown, use polygon or points");
+      throw UsageException.unknown("--as", word, List.of("polygon", "points"));
     }
     return domain;
   }

@@ -7,7 +7,11 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import dct.io.BadInputException;
 import dct.io.WishFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** What the user wishes of the degrees, and how long to look for it. */
@@ -76,8 +80,18 @@ final class OptimizeParameters {
     return switch (word) {
       case "even" -> ParityGoal.allEven(n);
       case "odd" -> ParityGoal.allOdd(n);
-      default -> WishFile.read(InputParameters.path(word), n);
+      default -> WishFile.read(wishFile(word), n);
     };
+  }
+
+  private static Path wishFile(String word) {
+    Path file = InputParameters.path(word);
+    if (Files.notExists(file)) {
+      String meant = Spelling.hint(word, List.of("even", "odd"));
+      throw new BadInputException(
+          word, 0, "there is no such file; --optimize takes even, odd or a file of wishes" + meant);
+    }
+    return file;
   }
 
   private SearchLimits limits() {

@@ -54,9 +54,7 @@ final class StudyOutputs {
     }
     List<String> words = study.chartWords();
     if (!words.contains(chartWord(study))) {
-      throw new UsageException(
-          "--chart %s is unknown, use one of %s"
-              .formatted(chartWord(study), String.join(", ", words)));
+      throw UsageException.unknown("--chart", chartWord(study), words);
     }
   }
 

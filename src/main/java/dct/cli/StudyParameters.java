@@ -11,7 +11,6 @@ import dct.experiment.study.StudyPlan;
 import dct.experiment.study.ThesisTable;
 import dct.io.PointFile;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -73,7 +72,7 @@ final class StudyParameters {
       case "points" -> points();
       case "polygons" -> polygons();
       default ->
-          throw new UsageException("there is no study of " + word + ", use points or polygons");
+          throw UsageException.unknown("the study", word, List.of("points", "polygons"));
     };
   }
 
@@ -81,14 +80,14 @@ final class StudyParameters {
     if (!fileNames().isEmpty()) {
       throw new UsageException("the study of points takes no files, leave them out");
     }
-    List<String> known = Arrays.stream(SiteShape.values()).map(SiteShape::word).toList();
+    List<String> known = SiteShape.words();
     List<String> usual = List.of(PointsStudy.UNIFORM);
     return new PointsStudy(
         plan(known, usual, ThesisTable.sizes(), SiteShape.MOST, PointsStudy.SETS));
   }
 
   private Study polygons() throws IOException {
-    List<String> known = Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
+    List<String> known = PolygonShape.words();
     StudyPlan plan = plan(known, known, PolygonsStudy.SIZES, PolygonShape.MOST, PolygonsStudy.SETS);
     return new PolygonsStudy(plan, polygonFiles());
   }
@@ -132,8 +131,7 @@ final class StudyParameters {
     Set<String> chosen = new LinkedHashSet<>();
     for (String word : asked.split(",", -1)) {
       if (!known.contains(word)) {
-        throw new UsageException(
-            "--shapes %s is unknown, use some of %s".formatted(word, String.join(",", known)));
+        throw UsageException.unknown("--shapes", word, known);
       }
       chosen.add(word);
     }

@@ -53,6 +53,11 @@ abstract class Verb implements Callable<Integer> {
     return console;
   }
 
+  /** Whether the exit status alone tells what came out, faults of the input included. */
+  boolean isSilent() {
+    return false;
+  }
+
   /** Declares a required parameter without a name. */
   final PositionalParamSpec parameter(String label, String description) {
     PositionalParamSpec parameter =

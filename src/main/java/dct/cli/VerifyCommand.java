@@ -22,6 +22,11 @@ final class VerifyCommand extends Verb {
   }
 
   @Override
+  boolean isSilent() {
+    return isSet(quiet);
+  }
+
+  @Override
   public Integer call() throws IOException {
     String name = result.getValue();
     StoredResult stored =

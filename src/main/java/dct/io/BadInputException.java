@@ -3,7 +3,8 @@ package dct.io;
 /**
  * Input that cannot be used.
  *
- * <p>Its message is one line for a person: {@code FILE:LINE: what is wrong; what would mend it}.
+ * <p>Its message is one line for a person: {@code FILE:LINE: what is wrong; what would mend it}, or
+ * without the line where there is none.
  */
 public final class BadInputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -20,7 +21,7 @@ public final class BadInputException extends RuntimeException {
    * @param fault what is wrong and, after a semicolon, what would mend it
    */
   public BadInputException(String file, int line, String fault) {
-    super(file + ":" + line + ": " + fault);
+    super(file + (line > 0 ? ":" + line : "") + ": " + fault);
     this.file = file;
     this.line = line;
     this.fault = fault;

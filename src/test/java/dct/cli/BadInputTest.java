@@ -128,9 +128,9 @@ class BadInputTest {
   @Test
   void a_file_that_is_not_there() {
     Path missing = folder.resolve("missing.txt");
-    assertRefused(missing, missing + ":0: there is no such file; check its name and folder");
-    assertRefused(folder, folder + ":0: this is a folder; name a file in it");
-    assertRefused(Path.of(""), ":0: this is a folder; name a file in it");
+    assertRefused(missing, missing + ": there is no such file; check its name and folder");
+    assertRefused(folder, folder + ": this is a folder; name a file in it");
+    assertRefused(Path.of(""), "\"\": this is no name of a file; name one");
   }
 
   @Test

@@ -48,13 +48,33 @@ class CommandLineProgramTest {
       delimiter = '|',
       value = {
         "'' | dct: a verb is missing; see dct --help",
-        "frobnicate | dct: frobnicate is neither a verb nor a file; see dct --help",
-        "triangulate | dct triangulate: Missing required parameter: 'INPUT';"
+        "frobnicate | dct: \"frobnicate\" is neither a verb nor a file; see dct --help",
+        "trianglate a | dct: \"trianglate\" is neither a verb nor a file"
+            + " (did you mean triangulate?); see dct --help",
+        "pom.xml extra | dct: \"extra\" is no file; see dct --help",
+        "pom.xml --flip | dct: a verb is missing, it comes before files and options;"
+            + " see dct --help",
+        "pom.xml check | dct: a verb is missing, it comes before files and options; see dct --help",
+        "--flip a | dct: --flip is no option of dct, a verb comes first; see dct --help",
+        "triangulate | dct triangulate: INPUT is missing; see dct triangulate --help",
+        "triangulate a b | dct triangulate: \"b\" is one argument too many, leave it out;"
+            + " a name with blanks needs quotes; see dct triangulate --help",
+        "triangulate --flop a | dct triangulate: --flop is no option of dct triangulate"
+            + " (did you mean --flip?); see dct triangulate --help",
+        "triangulate --flop=1 a | dct triangulate: --flop is no option of dct triangulate"
+            + " (did you mean --flip?); see dct triangulate --help",
+        "triangulate a -x | dct triangulate: -x is no option of dct triangulate;"
             + " see dct triangulate --help",
-        "triangulate a b | dct triangulate: Unmatched argument at index 2: 'b';"
+        "triangulate a --json=yes | dct triangulate: --json takes no value, write it without one;"
             + " see dct triangulate --help",
-        "triangulate --flop a | dct triangulate: Unknown option: '--flop';"
+        "triangulate a --as | dct triangulate: --as needs a value: polygon or points;"
             + " see dct triangulate --help",
+        "triangulate a -o --json | dct triangulate: -o needs a value: OUTPUT;"
+            + " see dct triangulate --help",
+        "triangulate a --optimize even --time-limit 1,5 | dct triangulate: --time-limit 1,5 is not a"
+            + " number, use one such as 2.5; see dct triangulate --help",
+        "triangulate - --as point | dct triangulate: --as point is unknown (did you mean points?),"
+            + " use polygon or points; see dct triangulate --help",
         "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format,"
             + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
         "triangulate a -o b | dct triangulate: the ending of b is no format,"
@@ -68,18 +88,27 @@ class CommandLineProgramTest {
             + " see dct triangulate --help",
         "triangulate - --as points --algorithm monotone | dct triangulate: --algorithm monotone is"
             + " none for points, use delaunay; see dct triangulate --help",
-        "generate points | dct generate: Missing required option: '-n=N'; see dct generate --help",
-        "generate points -n x | dct generate: Invalid value for option '-n': 'x' is not an int;"
+        "triangulate - --algorithm monotnoe | dct triangulate: --algorithm monotnoe is none for"
+            + " a polygon (did you mean monotone?), use monotone, ear-clipping, convex-even,"
+            + " convex-odd; see dct triangulate --help",
+        "generate points | dct generate: -n N is missing; see dct generate --help",
+        "generate points -n | dct generate: -n needs a value: N; see dct generate --help",
+        "generate points -n x | dct generate: -n x is not a whole number, use one such as 100;"
+            + " see dct generate --help",
+        "generate points -n 5 --seed 99999999999999999999 | dct generate: --seed"
+            + " 99999999999999999999 is too far from 0, use a smaller number;"
+            + " see dct generate --help",
+        "generate points -n 5 -n 6 | dct generate: -n is given twice, leave one out;"
             + " see dct generate --help",
         "generate points -n 0 | dct generate: the number of random sites is from 1 to 100000000;"
             + " 0 is not;"
             + " see dct generate --help",
-        "generate circles -n 5 | dct generate: circles cannot be made, only points or polygon;"
+        "generate circles -n 5 | dct generate: the kind circles is unknown, use points or polygon;"
             + " see dct generate --help",
-        "generate points -n 5 --shape ring | dct generate: --shape ring is unknown, use uniform, disk,"
-            + " clusters, lattice, jittered-lattice, circle, lines; see dct generate --help",
-        "convert - | dct convert: Missing required option: '--output=OUTPUT';"
-            + " see dct convert --help",
+        "generate points -n 5 --shape cluster | dct generate: --shape cluster is unknown"
+            + " (did you mean clusters?), use uniform, disk, clusters, lattice, jittered-lattice,"
+            + " circle or lines; see dct generate --help",
+        "convert - | dct convert: -o OUTPUT is missing; see dct convert --help",
       })
   void wrong_usage_is_one_line_and_status_2(String words, String message) {
     Object[] arguments = words.isEmpty() ? new Object[0] : words.split(" ", -1);
@@ -87,6 +116,21 @@ class CommandLineProgramTest {
     assertThat(run.err()).isEqualTo(message + "\n");
     assertThat(run.out()).isEmpty();
     assertThat(run.status()).isEqualTo(2);
+  }
+
+  @Test
+  void a_name_may_begin_with_an_at_sign(@TempDir Path folder) throws IOException {
+    Path options = Files.writeString(folder.resolve("options"), "--quiet");
+    CliRun run = CliRun.of("check", "@" + options);
+    assertThat(run.err()).isEqualTo("@" + options + ": there is no such file; check its name and folder\n");
+    assertThat(run.status()).isEqualTo(3);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"check, 3", "verify, 3"})
+  void quiet_leaves_the_fault_to_the_status(String verb, int status) {
+    CliRun run = CliRun.withInput("0 0\n1 1\n", verb, "-", "--quiet");
+    assertThat(run).isEqualTo(new CliRun(status, "", ""));
   }
 
   @Test

@@ -184,7 +184,7 @@ class ExperimentCommandTest {
 
   @Test
   void wrong_usage_is_said_in_one_sentence() {
-    requireUsage("there is no study of lines", "lines");
+    requireUsage("the study lines is unknown, use points or polygons", "lines");
     requireUsage("--sizes 2 is not from 3 to", "points", "--sizes", "2");
     requireUsage("--sizes 99999999999 is not from 3 to", "points", "--sizes", "99999999999");
     requireUsage("--sizes x is no number and no FROM-TO:STEP", "points", "--sizes", "10,x");
@@ -193,11 +193,11 @@ class ExperimentCommandTest {
     requireUsage("--sizes 5-9:0 has no numbers in it", "points", "--sizes", "5-9:0");
     requireUsage("--sets 0 is none, use 1 or more", "points", "--sets", "0");
     requireUsage(
-        "--shapes sphere is unknown, use some of uniform,disk", "points", "--shapes", "sphere");
+        "--shapes sphere is unknown, use uniform, disk", "points", "--shapes", "sphere");
     requireUsage("--shapes none is unknown", "polygons", "--shapes", "none");
     requireUsage("the study of points takes no files", "points", "a.txt");
     requireUsage(
-        "--chart x is unknown, use one of sizes, increase, shapes", "points", "--chart", "x");
+        "--chart x is unknown, use sizes, increase, shapes", "points", "--chart", "x");
     requireUsage("--threads 0 is not from 1 to 1024", "points", "--threads", "0");
     requireUsage("the ending of a.txt is no format of a study", "points", "-o", "a.txt");
     requireUsage("Invalid value for option '--seed'", "points", "--seed", "one");

@@ -107,4 +107,17 @@ class OptimizeTest {
     assertThat(alone.status()).isEqualTo(2);
     assertThat(alone.err()).contains("--optimize, which is missing");
   }
+
+  @ParameterizedTest
+  @CsvSource({"evn, ' (did you mean even?)'", "most, ''", "wishes.txt, ''"})
+  void what_is_neither_a_parity_nor_a_file(String word, String hint) {
+    CliRun run = CliRun.withInput("0 0\n4 0\n0 4\n", "triangulate", "-", "--optimize", word);
+    assertThat(run.err())
+        .isEqualTo(
+            word
+                + ": there is no such file; --optimize takes even, odd or a file of wishes"
+                + hint
+                + "\n");
+    assertThat(run.status()).isEqualTo(3);
+  }
 }

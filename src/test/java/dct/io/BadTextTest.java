@@ -118,10 +118,10 @@ class BadTextTest {
   void a_file_that_cannot_be_read(@TempDir Path folder) {
     Path missing = folder.resolve("missing.txt");
     assertThat(openingFault(missing))
-        .isEqualTo(missing + ":0: there is no such file; check its name and folder");
-    assertThat(openingFault(folder)).isEqualTo(folder + ":0: this is a folder; name a file in it");
+        .isEqualTo(missing + ": there is no such file; check its name and folder");
+    assertThat(openingFault(folder)).isEqualTo(folder + ": this is a folder; name a file in it");
     assertThat(openingFault(missing.resolve("below.txt")))
-        .isEqualTo(missing + "/below.txt:0: there is no such file; check its name and folder");
+        .isEqualTo(missing + "/below.txt: there is no such file; check its name and folder");
     assertThat(Files.exists(missing)).isFalse();
   }
 

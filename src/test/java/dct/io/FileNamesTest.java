@@ -78,6 +78,6 @@ class FileNamesTest {
     Path typed = folder.resolve("x");
     assertThatThrownBy(() -> FileNames.forOpening(typed))
         .isInstanceOf(BadInputException.class)
-        .hasMessage(typed + ":0: there is both x_polygonbased.txt and x_pointbased.txt; say which");
+        .hasMessage(typed + ": there is both x_polygonbased.txt and x_pointbased.txt; say which");
   }
 }

@@ -4,8 +4,8 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /** The families of random simple polygons. */
 public enum PolygonShape {
@@ -71,9 +71,9 @@ public enum PolygonShape {
     return Arrays.stream(values()).filter(shape -> shape.word.equals(word)).findFirst();
   }
 
-  /** The names of all, for messages. */
-  public static String words() {
-    return Arrays.stream(values()).map(PolygonShape::word).collect(Collectors.joining(", "));
+  /** The names of all, for menus and messages. */
+  public static List<String> words() {
+    return Arrays.stream(values()).map(PolygonShape::word).toList();
   }
 
   /** A polygon in the area that {@link #areaFor} gives, from {@link Area#CANVAS}. */

@@ -3,8 +3,8 @@ package dct.experiment.generate;
 import dct.core.Progress;
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /** The families of random sites. */
 public enum SiteShape {
@@ -56,9 +56,9 @@ public enum SiteShape {
     return Arrays.stream(values()).filter(shape -> shape.word.equals(word)).findFirst();
   }
 
-  /** The names of all, for messages. */
-  public static String words() {
-    return Arrays.stream(values()).map(SiteShape::word).collect(Collectors.joining(", "));
+  /** The names of all, for menus and messages. */
+  public static List<String> words() {
+    return Arrays.stream(values()).map(SiteShape::word).toList();
   }
 
   /** Sites in the area that {@link #areaFor} gives. */

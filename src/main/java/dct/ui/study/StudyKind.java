@@ -6,7 +6,6 @@ import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 
@@ -54,8 +53,8 @@ public enum StudyKind {
   /** The words of the shapes that there are. */
   List<String> shapes() {
     return switch (this) {
-      case POINTS -> Arrays.stream(SiteShape.values()).map(SiteShape::word).toList();
-      case POLYGONS -> Arrays.stream(PolygonShape.values()).map(PolygonShape::word).toList();
+      case POINTS -> SiteShape.words();
+      case POLYGONS -> PolygonShape.words();
     };
   }
 
