@@ -3,13 +3,12 @@ package dct;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dct.testing.ProgramProcess;
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,32 +17,17 @@ import org.junit.jupiter.api.io.TempDir;
 class MainTest {
   @TempDir Path folder;
 
-  private static ProcessBuilder program(List<String> options, String... arguments) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(options);
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), "dct.Main"));
-    command.addAll(List.of(arguments));
-    ProcessBuilder builder = new ProcessBuilder(command);
-    builder.environment().remove("JAVA_TOOL_OPTIONS"); // it would be announced on standard error
-    return builder;
-  }
-
-  private static String text(InputStream in) throws IOException {
-    return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-  }
-
   @Test
   void the_command_line_runs_and_gives_its_status() throws IOException, InterruptedException {
     Path file = Files.writeString(folder.resolve("t.txt"), "0 0\n4 0\n0 4\n");
-    Process good = program(List.of(), "check", file.toString()).start();
-    assertThat(text(good.getInputStream()))
+    Process good = ProgramProcess.of(List.of(), "check", file.toString()).start();
+    assertThat(ProgramProcess.text(good.getInputStream()))
         .isEqualTo(file + ": a simple polygon with 3 vertices, counter-clockwise\n");
-    assertThat(text(good.getErrorStream())).isEmpty();
+    assertThat(ProgramProcess.text(good.getErrorStream())).isEmpty();
     assertThat(good.waitFor()).isZero();
     Files.writeString(file, "0 0\n4 4\n4 0\n0 4\n");
-    Process bad = program(List.of(), "check", file.toString()).start();
-    assertThat(text(bad.getErrorStream()))
+    Process bad = ProgramProcess.of(List.of(), "check", file.toString()).start();
+    assertThat(ProgramProcess.text(bad.getErrorStream()))
         .isEqualTo(
             file
                 + ":1: edges v0–v1 and v2–v3 cross at (2, 2); move a vertex of one of them,"
@@ -53,19 +37,19 @@ class MainTest {
 
   @Test
   void a_closed_pipe_is_no_error_message() throws IOException, InterruptedException {
-    Process process = program(List.of(), "generate", "points", "-n", "300000").start();
+    Process process = ProgramProcess.of(List.of(), "generate", "points", "-n", "300000").start();
     try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
       assertThat(out.readLine()).isEqualTo("# kind: points");
     }
-    assertThat(text(process.getErrorStream())).isEmpty();
+    assertThat(ProgramProcess.text(process.getErrorStream())).isEmpty();
     assertThat(process.waitFor()).isEqualTo(1);
   }
 
   @Test
   void without_a_display_the_window_says_so() throws IOException, InterruptedException {
-    assertNoDisplay(program(List.of("-Djava.awt.headless=true")));
+    assertNoDisplay(ProgramProcess.of(List.of("-Djava.awt.headless=true")));
     Path file = Files.writeString(folder.resolve("t_pointbased.txt"), "0 0\n4 0\n0 4\n");
-    assertNoDisplay(program(List.of("-Djava.awt.headless=true"), file.toString()));
+    assertNoDisplay(ProgramProcess.of(List.of("-Djava.awt.headless=true"), file.toString()));
   }
 
   @Test
@@ -73,7 +57,7 @@ class MainTest {
       throws IOException, InterruptedException {
     assumeTrue(
         System.getProperty("os.name").equals("Linux"), "skipped: displays have no names here");
-    ProcessBuilder program = program(List.of("-Djava.awt.headless=false"));
+    ProcessBuilder program = ProgramProcess.of(List.of("-Djava.awt.headless=false"));
     program.environment().put("DISPLAY", ":7654321");
     assertNoDisplay(program);
   }
@@ -81,9 +65,9 @@ class MainTest {
   private static void assertNoDisplay(ProcessBuilder program)
       throws IOException, InterruptedException {
     Process process = program.start();
-    assertThat(text(process.getErrorStream()))
+    assertThat(ProgramProcess.text(process.getErrorStream()))
         .isEqualTo("dct: there is no display for the window; use the command line, dct --help\n");
-    assertThat(text(process.getInputStream())).isEmpty();
+    assertThat(ProgramProcess.text(process.getInputStream())).isEmpty();
     assertThat(process.waitFor()).isEqualTo(1);
   }
 }

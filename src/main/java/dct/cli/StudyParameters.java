@@ -71,8 +71,7 @@ final class StudyParameters {
     return switch (word) {
       case "points" -> points();
       case "polygons" -> polygons();
-      default ->
-          throw UsageException.unknown("the study", word, List.of("points", "polygons"));
+      default -> throw UsageException.unknown("the study", word, List.of("points", "polygons"));
     };
   }
 

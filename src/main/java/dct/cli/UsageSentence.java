@@ -35,7 +35,9 @@ final class UsageSentence {
     String word = e.getUnmatched().get(0);
     String command = e.getCommandLine().getCommandSpec().qualifiedName();
     if (!e.isUnknownOption()) {
-      return "\"" + word + "\" is one argument too many, leave it out; a name with blanks needs quotes";
+      return "\""
+          + word
+          + "\" is one argument too many, leave it out; a name with blanks needs quotes";
     }
     Collection<String> known = e.getCommandLine().getCommandSpec().optionsMap().keySet();
     String name = nameIn(word);

@@ -122,7 +122,8 @@ class CommandLineProgramTest {
   void a_name_may_begin_with_an_at_sign(@TempDir Path folder) throws IOException {
     Path options = Files.writeString(folder.resolve("options"), "--quiet");
     CliRun run = CliRun.of("check", "@" + options);
-    assertThat(run.err()).isEqualTo("@" + options + ": there is no such file; check its name and folder\n");
+    assertThat(run.err())
+        .isEqualTo("@" + options + ": there is no such file; check its name and folder\n");
     assertThat(run.status()).isEqualTo(3);
   }
 

@@ -2,6 +2,7 @@ package dct.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.testing.ProgramProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -168,15 +169,7 @@ class ExperimentCommandTest {
   }
 
   private static Process start(Path err, String... arguments) throws IOException {
-    List<String> command =
-        new java.util.ArrayList<>(
-            List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "dct.Main"));
-    command.addAll(List.of(arguments));
-    return new ProcessBuilder(command)
+    return ProgramProcess.of(List.of(), arguments)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .redirectError(err.toFile())
         .start();
@@ -192,15 +185,13 @@ class ExperimentCommandTest {
     requireUsage("--sizes 9-5:1 has no numbers in it", "points", "--sizes", "9-5:1");
     requireUsage("--sizes 5-9:0 has no numbers in it", "points", "--sizes", "5-9:0");
     requireUsage("--sets 0 is none, use 1 or more", "points", "--sets", "0");
-    requireUsage(
-        "--shapes sphere is unknown, use uniform, disk", "points", "--shapes", "sphere");
+    requireUsage("--shapes sphere is unknown, use uniform, disk", "points", "--shapes", "sphere");
     requireUsage("--shapes none is unknown", "polygons", "--shapes", "none");
     requireUsage("the study of points takes no files", "points", "a.txt");
-    requireUsage(
-        "--chart x is unknown, use sizes, increase, shapes", "points", "--chart", "x");
+    requireUsage("--chart x is unknown, use sizes, increase or shapes", "points", "--chart", "x");
     requireUsage("--threads 0 is not from 1 to 1024", "points", "--threads", "0");
     requireUsage("the ending of a.txt is no format of a study", "points", "-o", "a.txt");
-    requireUsage("Invalid value for option '--seed'", "points", "--seed", "one");
+    requireUsage("--seed one is not a whole number", "points", "--seed", "one");
   }
 
   private static void requireUsage(String sentence, Object... arguments) {
