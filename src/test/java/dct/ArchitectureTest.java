@@ -1,5 +1,11 @@
 package dct;
 
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.simpleNameEndingWith;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.type;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
@@ -126,4 +132,29 @@ class ArchitectureTest {
           .accessField(System.class, "out")
           .orShould()
           .accessField(System.class, "err");
+
+  @ArchTest
+  static final ArchRule ONE_RANDOM_SOURCE_ALIKE_ON_EVERY_JDK =
+      noClasses()
+          .that()
+          .resideInAnyPackage("dct.core..", "dct.experiment.generate..")
+          .should()
+          .dependOnClassesThat(
+              resideInAPackage("java.util.random..")
+                  .or(simpleNameEndingWith("Random").and(resideInAPackage("java.."))));
+
+  /** The last bits of {@link Math}'s functions are left to each JDK; StrictMath's are not. */
+  @ArchTest
+  static final ArchRule NO_FUNCTION_WITH_LAST_BITS_OF_ITS_OWN =
+      noClasses()
+          .that()
+          .resideInAnyPackage("dct.core..", "dct.experiment.generate..")
+          .should()
+          .callMethodWhere(
+              target(owner(type(Math.class)))
+                  .and(
+                      target(
+                          nameMatching(
+                              "a?(sin|cos|tan)h?|atan2|log|log10|log1p|exp|expm1|pow|cbrt|hypot"
+                                  + "|random"))));
 }

@@ -2,7 +2,7 @@ package dct.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dct.experiment.generate.SeededRandom;
+import dct.core.SeededRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

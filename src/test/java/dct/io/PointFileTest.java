@@ -3,10 +3,10 @@ package dct.io;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
-import dct.experiment.generate.SeededRandom;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

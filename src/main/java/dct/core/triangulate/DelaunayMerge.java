@@ -126,8 +126,8 @@ final class DelaunayMerge {
     if (sites >= REPORTED) {
       progress.checkCancelled();
       // Each level of the recursion handles every site once; the levels below are not reported.
-      double levels = Math.max(1, Math.log((double) x.length / REPORTED) / Math.log(2) + 1);
-      double fraction = done.addAndGet(sites) / (levels * x.length);
+      int levels = Integer.SIZE - Integer.numberOfLeadingZeros(x.length / REPORTED);
+      double fraction = done.addAndGet(sites) / ((double) levels * x.length);
       progress.report(0.1 + 0.8 * Math.min(1, fraction), "Merging Delaunay triangulations");
     }
     turn(left, byX);

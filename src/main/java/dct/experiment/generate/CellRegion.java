@@ -1,5 +1,7 @@
 package dct.experiment.generate;
 
+import dct.core.SeededRandom;
+
 /**
  * Unit cells that form a region without holes whose parts do not touch at a corner, so that its
  * outline is one simple polygon; it grows by random cells.

@@ -1,5 +1,6 @@
 package dct.experiment.generate;
 
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 
 /** Sites on a square lattice over the area, row by row; the last row may be a part of one. */

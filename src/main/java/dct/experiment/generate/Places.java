@@ -1,5 +1,6 @@
 package dct.experiment.generate;
 
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 
 /** Places of a grid, all different, with exact tests; their coordinates are below 2^28. */

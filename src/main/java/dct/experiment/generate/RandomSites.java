@@ -1,5 +1,6 @@
 package dct.experiment.generate;
 
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 
 /**

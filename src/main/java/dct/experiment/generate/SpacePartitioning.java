@@ -1,6 +1,7 @@
 package dct.experiment.generate;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 
 /**

@@ -1,5 +1,7 @@
 package dct.experiment.generate;
 
+import dct.core.SeededRandom;
+
 /** Increasing random numbers that are spread evenly. */
 final class Strata {
   private Strata() {}

@@ -1,6 +1,6 @@
 package dct.experiment.study;
 
-import dct.experiment.generate.SeededRandom;
+import dct.core.SeededRandom;
 
 /**
  * One set of sites or one polygon of a study, named so that it can be made again: {@code dct

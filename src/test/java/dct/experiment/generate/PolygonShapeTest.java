@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.testing.SimplicityOracle;

@@ -1,5 +1,7 @@
 package dct.core.degree.region;
 
+import dct.core.SeededRandom;
+
 /**
  * A simple polygon of a few vertices, grown triangle by triangle in a {@link SearchMesh} and filled
  * anew with the best triangulation for the costs given.
@@ -15,7 +17,7 @@ final class MeshRegion {
   private static final int NOISE_BITS = 10;
 
   private final SearchMesh mesh;
-  private final SearchRandom random;
+  private final SeededRandom random;
   private final RegionTable table;
   private final int lo;
   private final int hi;
@@ -28,7 +30,7 @@ final class MeshRegion {
   private int before; // how many of the vertices were unsatisfied when they were taken
   private int filled; // how many triangles are written
 
-  MeshRegion(SearchMesh mesh, SearchRandom random, int most, int lo, int hi) {
+  MeshRegion(SearchMesh mesh, SeededRandom random, int most, int lo, int hi) {
     this.mesh = mesh;
     this.random = random;
     this.lo = lo;
@@ -85,15 +87,15 @@ final class MeshRegion {
   /** Grows to m vertices, or fewer where that fails, over edges chosen at random. */
   void grow(int m) {
     for (int tries = 3 * m; size < m && tries > 0; tries--) {
-      tryTake(random.below(size));
+      tryTake(random.nextInt(size));
     }
   }
 
   /** Grows as {@link #grow}, each time over the better of two edges for coming near a target. */
   void growTowards(int target, int m) {
     for (int tries = 3 * m; size < m && tries > 0; tries--) {
-      int i = random.below(size);
-      int j = random.below(size);
+      int i = random.nextInt(size);
+      int j = random.nextInt(size);
       tryTake(distanceBeyond(j, target) < distanceBeyond(i, target) ? j : i);
     }
   }

@@ -1,5 +1,7 @@
 package dct.core.degree.region;
 
+import dct.core.SeededRandom;
+
 /**
  * Makes vertices satisfied in one part of a {@link SearchMesh}: those numbered from {@code lo} to
  * {@code hi} − 1, an unbroken stretch of the Hilbert curve. Triangles with a corner elsewhere stay,
@@ -27,7 +29,7 @@ public final class PartSearch {
   private static final int LARGEST = 32; // vertices of a region then
 
   private final SearchMesh mesh;
-  private final SearchRandom random;
+  private final SeededRandom random;
   private final SearchClock clock;
   private final int lo;
   private final int hi;
@@ -42,7 +44,7 @@ public final class PartSearch {
   private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
   private int second; // the one after it, or NONE
 
-  public PartSearch(SearchMesh mesh, SearchRandom random, SearchClock clock, int lo, int hi) {
+  public PartSearch(SearchMesh mesh, SeededRandom random, SearchClock clock, int lo, int hi) {
     this.mesh = mesh;
     this.random = random;
     this.clock = clock;
@@ -114,15 +116,15 @@ public final class PartSearch {
 
   /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */
   private void vary(int idle) {
-    boolean usual = idle < STUCK || random.below(4) == 0;
-    size = usual ? SIZE : SIZE + random.below(random.below(LARGEST - SIZE) + 1);
-    pullBits = usual ? PULL_BITS : PULL_BITS - random.below(7);
+    boolean usual = idle < STUCK || random.nextInt(4) == 0;
+    size = usual ? SIZE : SIZE + random.nextInt(random.nextInt(LARGEST - SIZE) + 1);
+    pullBits = usual ? PULL_BITS : PULL_BITS - random.nextInt(7);
     noiseBits = usual ? NOISE_BITS : NOISE_BITS + 3;
   }
 
   /** A vertex to meet: the nearest, or, where that has not helped, now and then another. */
   private int partner(int q, int idle) {
-    int choice = idle == 0 ? 0 : random.below(6);
+    int choice = idle == 0 ? 0 : random.nextInt(6);
     return switch (choice) {
       case 1, 2 -> astray(open.get(q));
       case 3 -> anyPartner(q);
@@ -132,11 +134,11 @@ public final class PartSearch {
 
   /** Any vertex not far off, to come back from there by another way. */
   private int astray(int v) {
-    return Math.max(lo, Math.min(hi - 1, v + random.below(2 * DETOUR) - DETOUR));
+    return Math.max(lo, Math.min(hi - 1, v + random.nextInt(2 * DETOUR) - DETOUR));
   }
 
   private int anyPartner(int q) {
-    int u = open.get(random.below(open.size()));
+    int u = open.get(random.nextInt(open.size()));
     return u != open.get(q) && mesh.isUnsatisfied(u) ? u : SearchMesh.NONE;
   }
 
@@ -149,7 +151,7 @@ public final class PartSearch {
     for (int i = Math.max(0, q - NEIGHBOURS); i <= last; i++) {
       int u = open.get(i);
       if (u != v && mesh.isUnsatisfied(u)) {
-        double factor = roughly ? 0.1 + random.fraction() : 1;
+        double factor = roughly ? 0.1 + random.nextDouble() : 1;
         double distance = factor * mesh.squaredDistance(u, v);
         if (distance < least) {
           least = distance;

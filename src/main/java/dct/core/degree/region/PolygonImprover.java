@@ -1,6 +1,7 @@
 package dct.core.degree.region;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.PartitioningAqt;
 import dct.core.degree.ScanFlip;
@@ -9,7 +10,6 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
-import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 
 /**
@@ -65,7 +65,7 @@ public final class PolygonImprover {
   /** The best triangulation found; stops where no more than {@code bound} are unsatisfied. */
   public Triangulation run(int bound) {
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
-    SplittableRandom random = new SplittableRandom(limits.seed());
+    SeededRandom random = new SeededRandom(limits.seed());
     RegionSearch search =
         new RegionSearch(thesisBest(polygon, goal, monotone), goal, random, progress);
     try {
@@ -76,7 +76,7 @@ public final class PolygonImprover {
     return search.triangulation();
   }
 
-  private void improve(RegionSearch search, SplittableRandom random, int bound) {
+  private void improve(RegionSearch search, SeededRandom random, int bound) {
     for (int size : REGION_SIZES) {
       int idle = 0;
       while (idle < IDLE_ROUNDS * limits.effort()) {
@@ -91,7 +91,7 @@ public final class PolygonImprover {
     }
   }
 
-  private void round(RegionSearch search, SplittableRandom random, int size) {
+  private void round(RegionSearch search, SeededRandom random, int size) {
     for (int k = 0; k < polygon.size(); k++) {
       int v = polygon.vertex(k);
       if (!search.isSatisfied(v)) {

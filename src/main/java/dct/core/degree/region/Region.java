@@ -1,8 +1,8 @@
 package dct.core.degree.region;
 
+import dct.core.SeededRandom;
 import dct.core.dcel.Dcel;
 import java.util.Arrays;
-import java.util.SplittableRandom;
 
 /**
  * Triangles of a triangulation that hang together by inner edges so that they cover a simple
@@ -31,7 +31,7 @@ final class Region {
    * @param size the number of vertices wanted; there are fewer where no triangle can be added
    * @return the half-edges round it, counter-clockwise
    */
-  int[] grow(Dcel dcel, int v, int size, SplittableRandom random) {
+  int[] grow(Dcel dcel, int v, int size, SeededRandom random) {
     current++;
     innerCount = 0;
     borderCount = 0;

@@ -1,6 +1,7 @@
 package dct.core.degree.region;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
@@ -9,7 +10,6 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.core.triangulate.VisibilityGraph;
-import java.util.SplittableRandom;
 
 /**
  * Takes triangles out of a triangulation of a polygon and puts them back in the best way there is,
@@ -29,11 +29,11 @@ final class RegionSearch {
   private final Points points;
   private final ParityGoal goal;
   private final Progress progress;
-  private final SplittableRandom random;
+  private final SeededRandom random;
   private final Region region;
   private final Dcel dcel;
 
-  RegionSearch(Triangulation start, ParityGoal goal, SplittableRandom random, Progress progress) {
+  RegionSearch(Triangulation start, ParityGoal goal, SeededRandom random, Progress progress) {
     this.start = start;
     this.goal = goal;
     this.random = random;

@@ -1,5 +1,6 @@
 package dct.core.degree.region;
 
+import dct.core.SeededRandom;
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.HilbertOrder;
@@ -107,10 +108,10 @@ public final class SearchMesh {
   }
 
   /** A half-edge from v, a few random steps around it. */
-  public int halfEdgeAt(int v, SearchRandom random) {
+  public int halfEdgeAt(int v, SeededRandom random) {
     int e = out[v];
     boolean clockwise = false;
-    for (int r = random.below(TURNS); r > 0; r--) {
+    for (int r = random.nextInt(TURNS); r > 0; r--) {
       int turned = clockwise ? twin[e] : twin[prev(e)];
       if (turned == NONE) {
         clockwise = !clockwise;

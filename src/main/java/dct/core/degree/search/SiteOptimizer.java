@@ -1,6 +1,7 @@
 package dct.core.degree.search;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
@@ -8,7 +9,6 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.region.PartSearch;
 import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import dct.core.triangulate.Triangulation;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -126,12 +126,12 @@ public final class SiteOptimizer {
   private PartSearch part(int index, int from) {
     int lo = Math.max(0, from);
     int hi = Math.min(mesh.size(), from + PART);
-    SearchRandom random = SearchRandom.of(limits.seed(), passes, index);
+    SeededRandom random = SeededRandom.of(limits.seed(), passes, index);
     return new PartSearch(mesh, random, clock, lo, hi);
   }
 
   private void searchWhole() {
-    SearchRandom random = SearchRandom.of(limits.seed(), passes, 0);
+    SeededRandom random = SeededRandom.of(limits.seed(), passes, 0);
     PartSearch whole = new PartSearch(mesh, random, clock, 0, mesh.size());
     for (int pass = passes; pass < SWEEPS; pass++) {
       whole.sweep(bound.value());

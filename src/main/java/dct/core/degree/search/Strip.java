@@ -1,7 +1,7 @@
 package dct.core.degree.search;
 
+import dct.core.SeededRandom;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import dct.core.degree.region.VertexList;
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -52,7 +52,7 @@ final class Strip {
    * Cuts a strip: an axis goes from v to both sides; the lower path is the axis moved down over
    * layers of triangles, the upper path is the axis moved up.
    */
-  void cut(int v, Shape shape, SearchRandom random) {
+  void cut(int v, Shape shape, SeededRandom random) {
     StripOrder order = new StripOrder(mesh, shape.turn());
     new StripAxis(mesh, random, order, v).lay(v, shape.left(), shape.right(), lower, upper);
     triangles.clear();

@@ -1,7 +1,7 @@
 package dct.core.degree.search;
 
+import dct.core.SeededRandom;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import dct.core.degree.region.VertexList;
 
 /**
@@ -13,13 +13,13 @@ final class StripAxis {
   private static final double STRAY = 0.2; // of the length of an edge, at random
 
   private final SearchMesh mesh;
-  private final SearchRandom random;
+  private final SeededRandom random;
   private final StripOrder order;
   private final double height;
   private final VertexList spokes = new VertexList(); // half-edges, one for each edge at a vertex
   private final VertexList trail = new VertexList(); // half-edges, one for each edge to the left
 
-  StripAxis(SearchMesh mesh, SearchRandom random, StripOrder order, int v) {
+  StripAxis(SearchMesh mesh, SeededRandom random, StripOrder order, int v) {
     this.mesh = mesh;
     this.random = random;
     this.order = order;
@@ -73,7 +73,7 @@ final class StripAxis {
     for (int i = 0; i < spokes.size(); i++) {
       int w = otherEnd(v, spokes.get(i));
       if (order.isBefore(v, w) == rightwards) {
-        double stray = STRAY * random.fraction() * Math.sqrt(mesh.squaredDistance(v, w));
+        double stray = STRAY * random.nextDouble() * Math.sqrt(mesh.squaredDistance(v, w));
         double price = Math.abs(order.height(w) - height) + stray;
         best = price < least ? spokes.get(i) : best;
         least = Math.min(least, price);

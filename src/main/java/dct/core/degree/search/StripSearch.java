@@ -2,9 +2,9 @@ package dct.core.degree.search;
 
 import static java.util.Comparator.comparingInt;
 
+import dct.core.SeededRandom;
 import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -73,7 +73,7 @@ final class StripSearch {
   private void round(int round) {
     IntStream.range(0, AT_ONCE)
         .parallel()
-        .forEach(i -> attempts.get(i).solve(open, SearchRandom.of(seed, round, i)));
+        .forEach(i -> attempts.get(i).solve(open, SeededRandom.of(seed, round, i)));
     List<Attempt> taken = new ArrayList<>();
     for (Attempt attempt : bestFirst()) {
       if (attempt.isSolved() && taken.stream().noneMatch(attempt::overlaps)) {
@@ -94,7 +94,7 @@ final class StripSearch {
     private int[] moves = {};
     private int gain;
 
-    void solve(int[] unsatisfied, SearchRandom random) {
+    void solve(int[] unsatisfied, SeededRandom random) {
       cut(unsatisfied, random);
       SweepBeam beam = new SweepBeam(strip, WIDTH, random);
       moves = beam.search(strip.unsatisfied(), clock);
@@ -102,34 +102,34 @@ final class StripSearch {
     }
 
     /** Cuts a strip, if possible with two or more unsatisfied vertices, which could meet. */
-    private void cut(int[] centres, SearchRandom random) {
+    private void cut(int[] centres, SeededRandom random) {
       int tries = TRIES;
       do {
-        strip.cut(near(centres[random.below(centres.length)], random), shape(random), random);
+        strip.cut(near(centres[random.nextInt(centres.length)], random), shape(random), random);
         tries--;
       } while (tries > 0 && strip.unsatisfied() < 2);
     }
 
-    private int near(int v, SearchRandom random) {
+    private int near(int v, SeededRandom random) {
       int u = v;
-      for (int r = random.below(AWAY); r > 0; r--) {
+      for (int r = random.nextInt(AWAY); r > 0; r--) {
         u = mesh.corner[SearchMesh.next(mesh.halfEdgeAt(u, random))];
       }
       return u;
     }
 
-    private Strip.Shape shape(SearchRandom random) {
-      int turn = random.below(StripOrder.TURNS);
+    private Strip.Shape shape(SeededRandom random) {
+      int turn = random.nextInt(StripOrder.TURNS);
       int length = logUniform(SHORTEST, LONGEST, random);
-      int left = random.below(length + 1);
+      int left = random.nextInt(length + 1);
       int down = logUniform(1, LAYERS, random);
       int up = logUniform(1, LAYERS, random);
       return new Strip.Shape(turn, left, length - left, down, up);
     }
 
     /** Every order of magnitude as often as the others. */
-    private int logUniform(int least, int most, SearchRandom random) {
-      return (int) (least * Math.pow((double) most / least, random.fraction()));
+    private int logUniform(int least, int most, SeededRandom random) {
+      return (int) (least * StrictMath.pow((double) most / least, random.nextDouble()));
     }
 
     int size() {

@@ -1,8 +1,8 @@
 package dct.core.degree.search;
 
+import dct.core.SeededRandom;
 import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -34,7 +34,7 @@ final class SweepBeam {
   private int most;
   private int unsatisfied;
 
-  SweepBeam(Strip strip, int width, SearchRandom random) {
+  SweepBeam(Strip strip, int width, SeededRandom random) {
     this.strip = strip;
     this.width = width;
     triangles = new EmptyTriangles(strip.mesh, strip.vertices());
@@ -45,7 +45,7 @@ final class SweepBeam {
     following = new SweepFronts(strip, width);
   }
 
-  private static long[] longs(int count, SearchRandom random) {
+  private static long[] longs(int count, SeededRandom random) {
     long[] longs = new long[count];
     for (int i = 0; i < count; i++) {
       longs[i] = ((long) random.nextInt() << Integer.SIZE) ^ random.nextInt();

@@ -1,6 +1,6 @@
 package dct.core.degree.search;
 
-import dct.core.degree.region.SearchRandom;
+import dct.core.SeededRandom;
 import java.util.Arrays;
 
 /** The states that can follow those of one layer of a sweep, each once, and the best of them. */
@@ -8,14 +8,14 @@ final class SweepOffspring {
   private static final int INDEX_BITS = 24;
   private static final int TIE_BITS = 20;
 
-  private final SearchRandom random;
+  private final SeededRandom random;
   private final LongIndex keys = new LongIndex();
   private int[] parent = new int[256];
   private int[] move = new int[256];
   private int[] missed = new int[256];
   private int[] met = new int[256];
 
-  SweepOffspring(SearchRandom random) {
+  SweepOffspring(SeededRandom random) {
     this.random = random;
   }
 

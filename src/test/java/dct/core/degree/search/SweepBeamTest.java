@@ -3,13 +3,13 @@ package dct.core.degree.search;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.SeededRandom;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.exact.ExactSites;
 import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
-import dct.core.degree.region.SearchRandom;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -54,8 +54,8 @@ class SweepBeamTest {
       Triangulation start, ParityGoal goal, int turn, int width, int seed) {
     SearchMesh mesh = new SearchMesh(start, goal, 1);
     Strip strip = new Strip(mesh);
-    SearchRandom random = new SearchRandom(seed);
-    int v = random.below(mesh.size());
+    SeededRandom random = new SeededRandom(seed);
+    int v = random.nextInt(mesh.size());
     strip.cut(v, new Strip.Shape(turn, ALL, ALL, ALL, ALL), random);
     assertThat(strip.triangleCount()).as("seed %d", seed).isEqualTo(start.triangleCount());
     SweepBeam beam = new SweepBeam(strip, width, random);
@@ -93,10 +93,10 @@ class SweepBeamTest {
     Strip strip = new Strip(mesh);
     for (int seed = 0; seed < 300; seed++) {
       int before = mesh.unsatisfied();
-      SearchRandom choices = new SearchRandom(seed);
-      int[] sizes = IntStream.range(0, 4).map(i -> choices.below(9)).toArray();
+      SeededRandom choices = new SeededRandom(seed);
+      int[] sizes = IntStream.range(0, 4).map(i -> choices.nextInt(9)).toArray();
       Strip.Shape shape = new Strip.Shape(seed % 4, sizes[0], sizes[1], sizes[2], sizes[3]);
-      strip.cut(choices.below(mesh.size()), shape, choices);
+      strip.cut(choices.nextInt(mesh.size()), shape, choices);
       SweepBeam beam = new SweepBeam(strip, 30, choices);
       int[] moves = beam.search(strip.unsatisfied(), clock);
       if (moves.length > 0) {
@@ -115,7 +115,7 @@ class SweepBeamTest {
   void a_search_that_the_clock_ends_finds_nothing() {
     SearchMesh mesh = new SearchMesh(delaunay(50, 1000, new Random(1)), ParityGoal.allEven(50), 1);
     Strip strip = new Strip(mesh);
-    SearchRandom random = new SearchRandom(1);
+    SeededRandom random = new SeededRandom(1);
     strip.cut(0, new Strip.Shape(0, ALL, ALL, ALL, ALL), random);
     SearchClock struck = new SearchClock(new SearchLimits(1, 1, 0), Progress.NONE);
     assertThat(new SweepBeam(strip, 10, random).search(50, struck)).isEmpty();

@@ -1,4 +1,4 @@
-package dct.experiment.generate;
+package dct.core;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -47,5 +47,20 @@ class SeededRandomTest {
   void refuses_an_empty_range() {
     assertThatThrownBy(() -> new SeededRandom(1).nextInt(0))
         .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void streams_of_parts_differ_and_repeat() {
+    long first = SeededRandom.of(1, 0, 0).nextLong();
+    assertThat(SeededRandom.of(1, 0, 0).nextLong()).isEqualTo(first);
+    assertThat(SeededRandom.of(1, 0, 1).nextLong()).isNotEqualTo(first);
+    assertThat(SeededRandom.of(1, 1, 0).nextLong()).isNotEqualTo(first);
+    assertThat(SeededRandom.of(2, 0, 0).nextLong()).isNotEqualTo(first);
+  }
+
+  @Test
+  void thirty_two_bits_are_the_upper_half() {
+    assertThat(new SeededRandom(9).nextInt())
+        .isEqualTo((int) (new SeededRandom(9).nextLong() >>> 32));
   }
 }
