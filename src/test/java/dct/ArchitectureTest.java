@@ -14,6 +14,12 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.text.Format;
+import java.util.Formatter;
+import java.util.Scanner;
 
 /** The house: a package uses only those under it, and AWT stays where there is something to see. */
 @AnalyzeClasses(packages = "dct", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -157,4 +163,35 @@ class ArchitectureTest {
                           nameMatching(
                               "a?(sin|cos|tan)h?|atan2|log|log10|log1p|exp|expm1|pow|cbrt|hypot"
                                   + "|random"))));
+
+  /** Digits, letters and points of the machine's locale must not reach a file or a message. */
+  @ArchTest
+  static final ArchRule FORMATS_NAME_THEIR_LOCALE =
+      noClasses()
+          .should()
+          .callMethod(String.class, "formatted", Object[].class)
+          .orShould()
+          .callMethod(String.class, "format", String.class, Object[].class)
+          .orShould()
+          .callMethod(String.class, "toLowerCase")
+          .orShould()
+          .callMethod(String.class, "toUpperCase")
+          .orShould()
+          .callMethod(PrintStream.class, "printf", String.class, Object[].class)
+          .orShould()
+          .callMethod(PrintStream.class, "format", String.class, Object[].class)
+          .orShould()
+          .callMethod(PrintWriter.class, "printf", String.class, Object[].class)
+          .orShould()
+          .callMethod(PrintWriter.class, "format", String.class, Object[].class)
+          .orShould()
+          .callConstructor(Formatter.class)
+          .orShould()
+          .callConstructor(Scanner.class, InputStream.class)
+          .orShould()
+          .dependOnClassesThat()
+          .areAssignableTo(Format.class)
+          .orShould()
+          .dependOnClassesThat()
+          .resideInAPackage("java.time.format..");
 }

@@ -10,6 +10,7 @@ import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
@@ -53,12 +54,13 @@ enum Algorithm {
   static Algorithm of(String word, Domain domain) {
     if (!isOne(word, domain)) {
       throw new UsageException(
-          "--algorithm %s is none for %s%s, use %s"
-              .formatted(
-                  word,
-                  domain == Domain.POLYGON ? "a polygon" : "points",
-                  Spelling.hint(word, List.of(words(domain).split(", "))),
-                  words(domain)));
+          String.format(
+              Locale.ROOT,
+              "--algorithm %s is none for %s%s, use %s",
+              word,
+              domain == Domain.POLYGON ? "a polygon" : "points",
+              Spelling.hint(word, List.of(words(domain).split(", "))),
+              words(domain)));
     }
     return find(domain, algorithm -> algorithm.word.equals(word));
   }

@@ -9,6 +9,7 @@ import dct.core.triangulate.Domain;
 import dct.io.Result;
 import dct.io.StoredResult;
 import dct.io.WishLetters;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntUnaryOperator;
 
@@ -64,8 +65,13 @@ final class BoundVerifier {
   }
 
   private Optional<String> wrongBound(int counted, String atLeast) {
-    String text = "the field \"oddLowerBound\" says %d, but it is %d%s";
-    return Optional.of(text.formatted(claimed, counted, atLeast));
+    return Optional.of(
+        String.format(
+            Locale.ROOT,
+            "the field \"oddLowerBound\" says %d, but it is %d%s",
+            claimed,
+            counted,
+            atLeast));
   }
 
   private ParityGoal evenGoal() {
@@ -91,8 +97,9 @@ final class BoundVerifier {
 
   private Optional<String> claim(String field, long truth) {
     long said = stored.whole(field).orElse(-1);
-    String text = "the field \"%s\" says %d, but it is %d";
-    return said == truth ? Optional.empty() : Optional.of(text.formatted(field, said, truth));
+    return said == truth
+        ? Optional.empty()
+        : Optional.of("the field \"" + field + "\" says " + said + ", but it is " + truth);
   }
 
   /** What is to be told of a true result, empty or beginning with a semicolon. */
@@ -105,17 +112,27 @@ final class BoundVerifier {
     long present = stored.whole(counts).orElse(0);
     String field = "\"" + counts + "LowerBound\"";
     if (bound < 0 || bound > present) {
-      String text = "the field %s says %d, but %d %s vertices are here";
-      return Optional.of(text.formatted(field, bound, present, counts));
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "the field %s says %d, but %d %s vertices are here",
+              field,
+              bound,
+              present,
+              counts));
     }
     BoundCheck check = check(goal, (int) bound);
     String best = check.recomputed().value() + " (" + check.recomputed().reason() + ")";
     switch (check.verdict()) {
       case FALSE -> {
         return Optional.of(
-            "the field %s says %d, but the optimum is %s".formatted(field, bound, best));
+            String.format(
+                Locale.ROOT, "the field %s says %d, but the optimum is %s", field, bound, best));
       }
-      case OPEN -> remark += "; lower bound %d was not recomputed, only %s".formatted(bound, best);
+      case OPEN ->
+          remark +=
+              String.format(
+                  Locale.ROOT, "; lower bound %d was not recomputed, only %s", bound, best);
       case RECOMPUTED -> remark += "; lower bound " + bound + " recomputed: " + best;
     }
     return Optional.empty();

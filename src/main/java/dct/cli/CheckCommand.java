@@ -3,6 +3,7 @@ package dct.cli;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import java.io.IOException;
+import java.util.Locale;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct check}: whether an input can be triangulated. */
@@ -30,8 +31,11 @@ final class CheckCommand extends Verb {
   }
 
   private static String found(SimplePolygon polygon) {
-    return "a simple polygon with %d vertices, %s"
-        .formatted(polygon.size(), polygon.isClockwise() ? "clockwise" : "counter-clockwise");
+    return String.format(
+        Locale.ROOT,
+        "a simple polygon with %d vertices, %s",
+        polygon.size(),
+        polygon.isClockwise() ? "clockwise" : "counter-clockwise");
   }
 
   private static String found(Sites sites) {

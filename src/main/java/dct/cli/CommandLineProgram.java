@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.util.List;
+import java.util.Locale;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.CommandSpec;
@@ -67,7 +68,8 @@ public final class CommandLineProgram {
   private static String withoutVerb(List<String> arguments) {
     String stray = arguments.stream().filter(a -> !FileArguments.isFile(a)).findFirst().orElse("");
     if (stray.equals(arguments.get(0))) {
-      return "\"%s\" is neither a verb nor a file%s".formatted(stray, Spelling.hint(stray, VERBS));
+      return String.format(
+          Locale.ROOT, "\"%s\" is neither a verb nor a file%s", stray, Spelling.hint(stray, VERBS));
     }
     return isVerb(stray) || stray.startsWith("-") || stray.isEmpty()
         ? "a verb is missing, it comes before files and options"
@@ -171,8 +173,10 @@ public final class CommandLineProgram {
           : "dct: standard input or output failed, " + e.getMessage() + "; try another";
     }
     if (e instanceof InvalidPathException invalid) {
-      return "dct: %s can be no file's name here; choose another or set a UTF-8 locale"
-          .formatted(invalid.getInput());
+      return String.format(
+          Locale.ROOT,
+          "dct: %s can be no file's name here; choose another or set a UTF-8 locale",
+          invalid.getInput());
     }
     if (e instanceof OutOfMemoryError) {
       return "dct: there is not enough memory; give Java more with -Xmx, for instance -Xmx4g";

@@ -11,6 +11,7 @@ import dct.io.CannotWriteException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
 
@@ -101,13 +102,15 @@ final class ExperimentCommand extends Verb {
     }
     console()
         .err()
-        .printf(
-            "dct experiment: stopped with %d of %d rows; %s%n",
-            rows.size(),
-            all,
-            outputs.rowFile().isPresent()
-                ? "the same command goes on from there"
-                : "with -o FILE.csv the same command could go on from there");
+        .println(
+            String.format(
+                Locale.ROOT,
+                "dct experiment: stopped with %d of %d rows; %s",
+                rows.size(),
+                all,
+                outputs.rowFile().isPresent()
+                    ? "the same command goes on from there"
+                    : "with -o FILE.csv the same command could go on from there"));
     return CommandLineProgram.FAILED;
   }
 

@@ -10,6 +10,7 @@ import dct.io.PointDocument;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -72,7 +73,7 @@ final class GenerateCommand extends Verb {
   }
 
   private static String line(String word, String description) {
-    return "  %-20s%s".formatted(word, description);
+    return String.format(Locale.ROOT, "  %-20s%s", word, description);
   }
 
   @Override

@@ -10,6 +10,7 @@ import dct.core.triangulate.EdgeKind;
 import dct.io.BadInputException;
 import dct.io.StoredResult;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -200,7 +201,8 @@ final class ResultVerifier {
       check(
           rim == (kind == EdgeKind.BOUNDARY),
           i,
-          "edge %s is %s the boundary".formatted(name(2 * i), rim ? "on" : "not on"));
+          String.format(
+              Locale.ROOT, "edge %s is %s the boundary", name(2 * i), rim ? "on" : "not on"));
       check(
           kind != EdgeKind.PARTITION || partitions,
           i,
@@ -274,7 +276,9 @@ final class ResultVerifier {
 
   private void claim(String field, long truth) {
     long said = whole(field);
-    check(said == truth, "the field \"%s\" says %d, but it is %d".formatted(field, said, truth));
+    check(
+        said == truth,
+        String.format(Locale.ROOT, "the field \"%s\" says %d, but it is %d", field, said, truth));
   }
 
   private long whole(String field) {

@@ -7,6 +7,7 @@ import dct.experiment.study.StudyFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
@@ -48,8 +49,10 @@ final class StudyOutputs {
     for (String name : names()) {
       if (!name.equals(Verb.STANDARD_STREAM) && Format.of(name).isEmpty()) {
         throw new UsageException(
-            "the ending of %s is no format of a study, use .csv, .md, .tex, .svg, .png or .pdf"
-                .formatted(name));
+            String.format(
+                Locale.ROOT,
+                "the ending of %s is no format of a study, use .csv, .md, .tex, .svg, .png or .pdf",
+                name));
       }
     }
     List<String> words = study.chartWords();

@@ -6,6 +6,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.io.Result;
+import java.util.Locale;
 
 /** A result in a few lines for a person. */
 final class Summary {
@@ -28,20 +29,23 @@ final class Summary {
 
   private static String what(Result result) {
     Triangulation made = result.triangulation();
-    return "%s: %d %s%s, %s: %d edges, %d triangles"
-        .formatted(
-            result.input(),
-            made.vertexCount(),
-            made.domain() == Domain.POLYGON ? "vertices" : "sites",
-            merged(result.merged()),
-            result.algorithm(),
-            made.edgeCount(),
-            made.triangleCount());
+    return String.format(
+        Locale.ROOT,
+        "%s: %d %s%s, %s: %d edges, %d triangles",
+        result.input(),
+        made.vertexCount(),
+        made.domain() == Domain.POLYGON ? "vertices" : "sites",
+        merged(result.merged()),
+        result.algorithm(),
+        made.edgeCount(),
+        made.triangleCount());
   }
 
   /** A remark on merged duplicates, empty if there were none. */
   static String merged(int merged) {
-    return merged == 0 ? "" : " (%d duplicate%s merged)".formatted(merged, merged == 1 ? "" : "s");
+    return merged == 0
+        ? ""
+        : String.format(Locale.ROOT, " (%d duplicate%s merged)", merged, merged == 1 ? "" : "s");
   }
 
   private static String counts(DegreeCount count) {
@@ -63,8 +67,11 @@ final class Summary {
     String wishes =
         best.goal().isAll(ParityGoal.Wish.EVEN)
             ? ""
-            : "; %d of %d wishes granted"
-                .formatted(best.goal().size() - best.unsatisfied(), best.goal().size());
+            : String.format(
+                Locale.ROOT,
+                "; %d of %d wishes granted",
+                best.goal().size() - best.unsatisfied(),
+                best.goal().size());
     return wishes + "; " + best.verdict();
   }
 }

@@ -3,6 +3,7 @@ package dct.cli;
 import dct.io.ResultJson;
 import dct.io.StoredResult;
 import java.io.IOException;
+import java.util.Locale;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
@@ -37,14 +38,15 @@ final class VerifyCommand extends Verb {
     if (!isSet(quiet)) {
       console()
           .print(
-              "%s: true, %s, %d vertices, %d even, %d odd%s"
-                  .formatted(
-                      name,
-                      stored.text("algorithm").orElseThrow(),
-                      stored.points().size(),
-                      stored.whole("even").orElseThrow(),
-                      stored.whole("odd").orElseThrow(),
-                      remark));
+              String.format(
+                  Locale.ROOT,
+                  "%s: true, %s, %d vertices, %d even, %d odd%s",
+                  name,
+                  stored.text("algorithm").orElseThrow(),
+                  stored.points().size(),
+                  stored.whole("even").orElseThrow(),
+                  stored.whole("odd").orElseThrow(),
+                  remark));
     }
     return CommandLineProgram.DONE;
   }

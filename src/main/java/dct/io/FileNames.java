@@ -77,8 +77,11 @@ public final class FileNames {
       throw new BadInputException(
           typed.toString(),
           0,
-          "there is both %s and %s; say which"
-              .formatted(name(suffixed.get(0)), name(suffixed.get(1))));
+          String.format(
+              Locale.ROOT,
+              "there is both %s and %s; say which",
+              name(suffixed.get(0)),
+              name(suffixed.get(1))));
     }
     return suffixed.isEmpty() ? typed : suffixed.get(0);
   }

@@ -56,8 +56,10 @@ final class LineFault {
     } catch (CharacterCodingException e) {
       if (!lines.isCut()) { // a character may be cut in two
         throw fault(
-            "byte 0x%02X is not UTF-8, the text may be Latin-1; save it as UTF-8"
-                .formatted(firstNonAscii()));
+            String.format(
+                Locale.ROOT,
+                "byte 0x%02X is not UTF-8, the text may be Latin-1; save it as UTF-8",
+                firstNonAscii()));
       }
     }
   }
@@ -104,8 +106,11 @@ final class LineFault {
 
   private BadInputException comma(String number) {
     return fault(
-        "%s is written with a decimal comma; write it with a point, %s"
-            .formatted(shown(number), shown(number.replace(".", "").replace(',', '.'))));
+        String.format(
+            Locale.ROOT,
+            "%s is written with a decimal comma; write it with a point, %s",
+            shown(number),
+            shown(number.replace(".", "").replace(',', '.'))));
   }
 
   private static boolean isNumberOrComma(String word) {
@@ -145,7 +150,7 @@ final class LineFault {
       return fault("there is only one number; " + FORM);
     }
     return count > 2
-        ? fault("there are %d numbers; %s".formatted(count, FORM))
+        ? fault(String.format(Locale.ROOT, "there are %d numbers; %s", count, FORM))
         : fault("a number is missing beside a comma or semicolon; " + FORM);
   }
 

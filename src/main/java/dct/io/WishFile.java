@@ -82,8 +82,11 @@ public final class WishFile {
       throw new BadInputException(
           name,
           line,
-          "there is no vertex %d, the last one is %d; correct the number"
-              .formatted(vertex, wishes.length - 1));
+          String.format(
+              Locale.ROOT,
+              "there is no vertex %d, the last one is %d; correct the number",
+              vertex,
+              wishes.length - 1));
     }
     wishes[vertex] = wish.get();
   }

@@ -19,9 +19,13 @@ public final class IpePen implements Pen {
     out.append("<?xml version=\"1.0\"?>\n");
     out.append("<ipe version=\"70206\" creator=\"Degree Constrained Triangulation\">\n");
     out.append(
-        "<ipestyle name=\"page\">\n<layout paper=\"%1$d %2$d\" origin=\"0 0\""
-            .formatted(width, height));
-    out.append(" frame=\"%d %d\"/>\n</ipestyle>\n<page>\n".formatted(width, height));
+        String.format(
+            Locale.ROOT,
+            "<ipestyle name=\"page\">\n<layout paper=\"%1$d %2$d\" origin=\"0 0\"",
+            width,
+            height));
+    out.append(
+        String.format(Locale.ROOT, " frame=\"%d %d\"/>\n</ipestyle>\n<page>\n", width, height));
     out.append("<layer name=\"alpha\"/>\n<view layers=\"alpha\" active=\"alpha\"/>\n");
   }
 

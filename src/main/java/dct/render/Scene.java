@@ -119,8 +119,12 @@ public final class Scene {
     int satisfied = best.goal().size() - best.unsatisfied();
     return List.of(
         counts,
-        "Satisfied %d · Unsatisfied %d — %s"
-            .formatted(satisfied, best.unsatisfied(), best.verdict()));
+        String.format(
+            Locale.ROOT,
+            "Satisfied %d · Unsatisfied %d — %s",
+            satisfied,
+            best.unsatisfied(),
+            best.verdict()));
   }
 
   private static int[] unmet(Optimum best) {

@@ -35,8 +35,11 @@ public final class TikzPen implements Pen {
       out.append(hex.toUpperCase(Locale.ROOT)).append("}\n");
     }
     out.append("\\begin{document}\n");
-    out.append("\\begin{tikzpicture}[x=%1$sbp, y=-%1$sbp]\n".formatted(PenNumbers.of(POINTS)));
-    out.append("\\useasboundingbox (0,0) rectangle (%d,%d);\n".formatted(width, height));
+    out.append(
+        String.format(
+            Locale.ROOT, "\\begin{tikzpicture}[x=%1$sbp, y=-%1$sbp]\n", PenNumbers.of(POINTS)));
+    out.append(
+        String.format(Locale.ROOT, "\\useasboundingbox (0,0) rectangle (%d,%d);\n", width, height));
     out.append(body).append("\\end{tikzpicture}\n\\end{document}\n");
     return out.toString();
   }

@@ -1,6 +1,7 @@
 package dct.render;
 
 import dct.core.geometry.Box;
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -127,7 +128,14 @@ public final class Viewport {
 
   @Override
   public String toString() {
-    return "(%s, %s) at (%s, %s), scale %s, y %s"
-        .formatted(x, y, atX, atY, scale, yUp ? "up" : "down");
+    return String.format(
+        Locale.ROOT,
+        "(%s, %s) at (%s, %s), scale %s, y %s",
+        x,
+        y,
+        atX,
+        atY,
+        scale,
+        yUp ? "up" : "down");
   }
 }

@@ -8,6 +8,7 @@ import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import java.awt.Component;
 import java.awt.GridLayout;
+import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
@@ -99,7 +100,13 @@ final class RandomPolygon {
     Ask.sorry(
         parent,
         TITLE,
-        "“%s” is no %s; type a whole number from %d to %d.".formatted(typed, what, least, most));
+        String.format(
+            Locale.ROOT,
+            "“%s” is no %s; type a whole number from %d to %d.",
+            typed,
+            what,
+            least,
+            most));
     return null;
   }
 

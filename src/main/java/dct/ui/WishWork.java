@@ -11,6 +11,7 @@ import java.awt.Component;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
@@ -76,8 +77,12 @@ final class WishWork {
   }
 
   private static String words(ParityGoal wishes) {
-    return "Wished: even %d · odd %d · any %d."
-        .formatted(wishes.count(Wish.EVEN), wishes.count(Wish.ODD), wishes.count(Wish.ANY));
+    return String.format(
+        Locale.ROOT,
+        "Wished: even %d · odd %d · any %d.",
+        wishes.count(Wish.EVEN),
+        wishes.count(Wish.ODD),
+        wishes.count(Wish.ANY));
   }
 
   private void load(Editor editor, Optimizer optimizer) {

@@ -1,6 +1,7 @@
 package dct.core.degree;
 
 import dct.core.triangulate.Triangulation;
+import java.util.Locale;
 
 /**
  * The best triangulation found for a goal, with what is known about how good it is.
@@ -26,8 +27,12 @@ public record Optimum(
     if (isProven()) {
       return "optimal (" + bound.reason() + ")";
     }
-    return "best found%s; %d or more cannot be avoided (%s)"
-        .formatted(interrupted ? " so far" : "", bound.value(), bound.reason());
+    return String.format(
+        Locale.ROOT,
+        "best found%s; %d or more cannot be avoided (%s)",
+        interrupted ? " so far" : "",
+        bound.value(),
+        bound.reason());
   }
 
   /** Whether no triangulation can satisfy more: the bound is attained. */

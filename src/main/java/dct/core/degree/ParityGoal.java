@@ -2,6 +2,7 @@ package dct.core.degree;
 
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * The parity that is wished for each vertex' degree; immutable. All even is the thesis's problem,
@@ -125,6 +126,7 @@ public final class ParityGoal {
 
   @Override
   public String toString() {
-    return "%d even, %d odd, %d any".formatted(count(Wish.EVEN), count(Wish.ODD), count(Wish.ANY));
+    return String.format(
+        Locale.ROOT, "%d even, %d odd, %d any", count(Wish.EVEN), count(Wish.ODD), count(Wish.ANY));
   }
 }

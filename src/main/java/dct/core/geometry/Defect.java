@@ -1,5 +1,7 @@
 package dct.core.geometry;
 
+import java.util.Locale;
+
 /**
  * Why points are not a simple polygon, or not usable sites: the first defect found.
  *
@@ -38,20 +40,39 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
       case TOO_FEW -> count + (count == 1 ? " vertex" : " vertices") + "; three or more are needed";
       case COLLINEAR -> "all vertices lie on one line; move at least one off it";
       case DUPLICATE ->
-          "vertices v%d and v%d are both at %s; remove one of them"
-              .formatted(first, second, place());
+          String.format(
+              Locale.ROOT,
+              "vertices v%d and v%d are both at %s; remove one of them",
+              first,
+              second,
+              place());
       case SPIKE ->
-          "the boundary turns back along itself at vertex v%d, %s; move or remove that vertex"
-              .formatted(first, place());
+          String.format(
+              Locale.ROOT,
+              "the boundary turns back along itself at vertex v%d, %s; move or remove that vertex",
+              first,
+              place());
       case TOUCH ->
-          "vertex v%d touches edge %s at %s; move it off the edge"
-              .formatted(first, edge(second), place());
+          String.format(
+              Locale.ROOT,
+              "vertex v%d touches edge %s at %s; move it off the edge",
+              first,
+              edge(second),
+              place());
       case CROSSING ->
-          "edges %s and %s cross at %s; move a vertex of one of them"
-              .formatted(edge(first), edge(second), place());
+          String.format(
+              Locale.ROOT,
+              "edges %s and %s cross at %s; move a vertex of one of them",
+              edge(first),
+              edge(second),
+              place());
       case OVERLAP ->
-          "edges %s and %s overlap at %s; move a vertex of one of them"
-              .formatted(edge(first), edge(second), place());
+          String.format(
+              Locale.ROOT,
+              "edges %s and %s overlap at %s; move a vertex of one of them",
+              edge(first),
+              edge(second),
+              place());
     };
   }
 

@@ -1,5 +1,7 @@
 package dct.experiment.generate;
 
+import java.util.Locale;
+
 /**
  * The rectangle 0 ≤ x &lt; width, 0 ≤ y &lt; height in which random points fall.
  *
@@ -29,8 +31,12 @@ public record Area(int width, int height, boolean whole) {
   public Area {
     if (width < 1 || height < 1 || width > LONGEST || height > LONGEST) {
       throw new CannotGenerateException(
-          "an area of %d × %d cannot be; its sides are from 1 to %d"
-              .formatted(width, height, LONGEST));
+          String.format(
+              Locale.ROOT,
+              "an area of %d × %d cannot be; its sides are from 1 to %d",
+              width,
+              height,
+              LONGEST));
     }
   }
 

@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * A random strictly convex polygon, as n uniform random points are if they happen to be in convex
@@ -54,8 +55,11 @@ final class ConvexPosition {
 
   private static CannotGenerateException tooNarrow(int n, Area area) {
     return new CannotGenerateException(
-        "no strictly convex polygon of %d vertices was found in %s; take a larger area or fewer"
-            .formatted(n, area));
+        String.format(
+            Locale.ROOT,
+            "no strictly convex polygon of %d vertices was found in %s; take a larger area or fewer",
+            n,
+            area));
   }
 
   /**

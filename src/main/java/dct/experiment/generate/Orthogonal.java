@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * A random orthogonal polygon: the outline of a random region of cells, the columns and rows of
@@ -42,8 +43,11 @@ final class Orthogonal {
       }
     }
     throw new CannotGenerateException(
-        "no orthogonal polygon of %d vertices was found in %s; take a larger area or fewer"
-            .formatted(n, area));
+        String.format(
+            Locale.ROOT,
+            "no orthogonal polygon of %d vertices was found in %s; take a larger area or fewer",
+            n,
+            area));
   }
 
   private static Points stretched(CellRegion region, Grid grid, SeededRandom random) {

@@ -6,6 +6,7 @@ import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** The families of random simple polygons. */
@@ -115,8 +116,12 @@ public enum PolygonShape {
   private static void check(int n) {
     if (n < LEAST || n > MOST) {
       throw new CannotGenerateException(
-          "the number of vertices of a random polygon is from %d to %d; %d is not"
-              .formatted(LEAST, MOST, n));
+          String.format(
+              Locale.ROOT,
+              "the number of vertices of a random polygon is from %d to %d; %d is not",
+              LEAST,
+              MOST,
+              n));
     }
   }
 

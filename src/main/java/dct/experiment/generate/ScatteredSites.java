@@ -3,6 +3,7 @@ package dct.experiment.generate;
 import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.geometry.Points;
+import java.util.Locale;
 
 /**
  * Random sites that are drawn one after the other, again where a place is taken or outside the
@@ -82,8 +83,11 @@ final class ScatteredSites {
         vain = 0;
       } else if (++vain == PATIENCE) {
         throw new CannotGenerateException(
-            "no %d different sites of this shape were found in %s; take a larger area or fewer"
-                .formatted(n, area));
+            String.format(
+                Locale.ROOT,
+                "no %d different sites of this shape were found in %s; take a larger area or fewer",
+                n,
+                area));
       }
       if (i % 1024 == 0) {
         progress.checkCancelled();

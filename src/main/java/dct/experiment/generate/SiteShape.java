@@ -5,6 +5,7 @@ import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** The families of random sites. */
@@ -77,7 +78,8 @@ public enum SiteShape {
   public Points generate(int n, Area area, long seed, Progress progress) {
     if (n < 1 || n > MOST) {
       throw new CannotGenerateException(
-          "the number of random sites is from 1 to %d; %d is not".formatted(MOST, n));
+          String.format(
+              Locale.ROOT, "the number of random sites is from 1 to %d; %d is not", MOST, n));
     }
     SeededRandom random = new SeededRandom(seed);
     return switch (this) {

@@ -3,6 +3,7 @@ package dct.experiment.generate;
 import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.geometry.Points;
+import java.util.Locale;
 
 /**
  * The outline of a random spanning tree: a winding corridor round each of its branches.
@@ -48,8 +49,11 @@ final class SpanningTree {
     long mostRows = grid.rows() / 2;
     if (mostColumns * mostRows < rooms) {
       throw new CannotGenerateException(
-          "the outline of a spanning tree with %d vertices needs %d rooms of 2 × 2 places; take a"
-                  .formatted(n, rooms)
+          String.format(
+                  Locale.ROOT,
+                  "the outline of a spanning tree with %d vertices needs %d rooms of 2 × 2 places; take a",
+                  n,
+                  rooms)
               + " larger area or fewer");
     }
     double wished = Math.sqrt((double) rooms * grid.columns() / grid.rows());

@@ -1,6 +1,7 @@
 package dct.experiment.generate;
 
 import dct.core.SeededRandom;
+import java.util.Locale;
 
 /** Increasing random numbers that are spread evenly. */
 final class Strata {
@@ -26,8 +27,12 @@ final class Strata {
   static void check(int count, long size, String what) {
     if (count > size) {
       throw new CannotGenerateException(
-          "%s needs %d places a side where the area has %d; take a larger area or fewer"
-              .formatted(what, count, size));
+          String.format(
+              Locale.ROOT,
+              "%s needs %d places a side where the area has %d; take a larger area or fewer",
+              what,
+              count,
+              size));
     }
   }
 }

@@ -1,6 +1,7 @@
 package dct.experiment.study;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
@@ -27,14 +28,16 @@ public final class SizeList {
   private static void addRange(SortedSet<Integer> sizes, String text, int most) {
     boolean isRange = text.matches("\\d+-\\d+:\\d{1,9}");
     if (!isRange && !text.matches("\\d+")) {
-      throw new IllegalArgumentException("%s is no number and no FROM-TO:STEP".formatted(text));
+      throw new IllegalArgumentException(
+          String.format(Locale.ROOT, "%s is no number and no FROM-TO:STEP", text));
     }
     String[] parts = text.split("[-:]", -1);
     int from = size(parts[0], most);
     int to = isRange ? size(parts[1], most) : from;
     int step = isRange ? Integer.parseInt(parts[2]) : 1;
     if (step < 1 || to < from) {
-      throw new IllegalArgumentException("%s has no numbers in it".formatted(text));
+      throw new IllegalArgumentException(
+          String.format(Locale.ROOT, "%s has no numbers in it", text));
     }
     for (long n = from; n <= to; n += step) {
       sizes.add((int) n);
@@ -44,7 +47,8 @@ public final class SizeList {
   private static int size(String digits, int most) {
     long n = digits.length() > 10 ? Long.MAX_VALUE : Long.parseLong(digits);
     if (n < FEWEST || n > most) {
-      throw new IllegalArgumentException("%s is not from %d to %d".formatted(digits, FEWEST, most));
+      throw new IllegalArgumentException(
+          String.format(Locale.ROOT, "%s is not from %d to %d", digits, FEWEST, most));
     }
     return (int) n;
   }

@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.List;
+import java.util.Locale;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries;
@@ -112,7 +113,11 @@ public final class ChartPainter {
     styler.setLegendPosition(LegendPosition.OutsideE).setLegendBorderColor(ground);
     styler.setChartTitleFont(font(Font.BOLD, TITLE)).setLegendFont(font(Font.PLAIN, TEXT));
     styler.setAxisTitleFont(font(Font.PLAIN, TEXT)).setAxisTickLabelsFont(font(Font.PLAIN, TEXT));
-    styler.setMarkerSize(MARKER).setPlotBorderVisible(false).setToolTipsEnabled(false);
+    styler
+        .setLocale(Locale.ROOT)
+        .setMarkerSize(MARKER)
+        .setPlotBorderVisible(false)
+        .setToolTipsEnabled(false);
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
     styler.setPlotGridLinesStroke(new BasicStroke(HAIR));
     styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));

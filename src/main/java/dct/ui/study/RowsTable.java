@@ -12,6 +12,8 @@ import javax.swing.AbstractAction;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 
 /** The table of rows: a click on a head sorts, a double-click or Enter opens a row. */
@@ -35,6 +37,9 @@ final class RowsTable extends JTable {
     setAutoCreateRowSorter(true);
     setAutoResizeMode(AUTO_RESIZE_OFF);
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    DefaultTableCellRenderer plain = new DefaultTableCellRenderer(); // the same in every locale
+    plain.setHorizontalAlignment(SwingConstants.TRAILING);
+    setDefaultRenderer(Number.class, plain);
     setToolTipText("A double-click opens the pictures of a row");
     listen();
   }

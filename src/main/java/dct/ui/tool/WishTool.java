@@ -28,7 +28,8 @@ public final class WishTool extends VertexTool {
   @Override
   String hint(ToolContext context, int vertex) {
     Wish wish = context.document().wishes().wish(vertex);
-    return "v%d is wished %s; click to wish it %s".formatted(vertex, word(wish), word(next(wish)));
+    return String.format(
+        Locale.ROOT, "v%d is wished %s; click to wish it %s", vertex, word(wish), word(next(wish)));
   }
 
   @Override
