@@ -1,6 +1,7 @@
 package dct.ui;
 
 import dct.core.triangulate.Domain;
+import dct.render.PictureFile;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
@@ -53,7 +54,7 @@ final class MainMenu {
             command(
                 "Export Picture",
                 "ctrl E",
-                "Writes what is seen to a PNG or SVG file",
+                "Writes what is seen to a picture: " + PictureFile.Format.ENDINGS,
                 () ->
                     PictureExport.ask(
                         window, canvas, window.documentName(), window.workbench().jobs())))

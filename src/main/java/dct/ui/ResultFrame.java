@@ -1,6 +1,7 @@
 package dct.ui;
 
 import dct.render.Labels;
+import dct.render.PictureFile;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
@@ -49,7 +50,7 @@ public final class ResultFrame extends JFrame {
                 new Command(
                     "Export Picture",
                     "ctrl E",
-                    "Writes what is seen to a PNG or SVG file",
+                    "Writes what is seen to a picture: " + PictureFile.Format.ENDINGS,
                     () -> PictureExport.ask(this, canvas, name, jobs)))
             .line()
             .with(new Command("Close", "ctrl W", "Closes this window", this::dispose)));
