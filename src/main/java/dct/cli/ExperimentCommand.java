@@ -111,7 +111,7 @@ final class ExperimentCommand extends Verb {
                 outputs.rowFile().isPresent()
                     ? "the same command goes on from there"
                     : "with -o FILE.csv the same command could go on from there"));
-    return CommandLineProgram.FAILED;
+    return Interruption.STATUS;
   }
 
   private int workers() {
