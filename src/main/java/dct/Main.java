@@ -32,7 +32,10 @@ public final class Main {
       Window.open(files.get());
     } else {
       System.setProperty("java.awt.headless", "true"); // drawing needs no display
-      System.exit(CommandLineProgram.run(console(), args));
+      Console console = console();
+      Thread.setDefaultUncaughtExceptionHandler(
+          (thread, e) -> System.exit(CommandLineProgram.failed(console, e)));
+      System.exit(CommandLineProgram.run(console, args));
     }
   }
 

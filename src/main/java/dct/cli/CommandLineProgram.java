@@ -59,9 +59,14 @@ public final class CommandLineProgram {
     try {
       int status = commandLine(arguments).execute(arguments);
       return status == DONE ? flushed() : status;
-    } catch (StackOverflowError | OutOfMemoryError e) {
+    } catch (Throwable e) { // picocli passes errors on
       return explain(e);
     }
+  }
+
+  /** Says what has ended a thread that was not the main one; returns the exit status. */
+  public static int failed(Console console, Throwable cause) {
+    return new CommandLineProgram(console).explain(cause);
   }
 
   /** What is wrong with arguments that begin with no verb. */

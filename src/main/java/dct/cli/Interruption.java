@@ -61,7 +61,9 @@ final class Interruption implements AutoCloseable {
     return asked.get();
   }
 
-  /** The exit status of what has come to its end: that nothing was wrong, or that it was stopped. */
+  /**
+   * The exit status of what has come to its end: that nothing was wrong, or that it was stopped.
+   */
   int status() {
     return isAsked() ? STATUS : CommandLineProgram.DONE;
   }

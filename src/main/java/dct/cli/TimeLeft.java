@@ -5,8 +5,8 @@ import dct.experiment.study.RunClock;
 import java.io.PrintStream;
 
 /**
- * Says on standard error, in a line now and then, how far a long work is and how long it will go on,
- * and stops it when the user asks.
+ * Says on standard error, in a line now and then, how far a long work is and how long it will go
+ * on, and stops it when the user asks.
  */
 final class TimeLeft implements Progress {
   private static final double FIRST_SECONDS = 2;

@@ -37,7 +37,7 @@ final class Failures {
     } else if (cause instanceof OutOfMemoryError) {
       Ask.sorry(parent, what, "There is not enough memory; give Java more with -Xmx.");
     } else {
-      Ask.sorry(parent, what, "This should not have happened; nothing was changed: " + cause);
+      Ask.sorry(parent, what, FaultLog.ofUser().keep(cause));
     }
   }
 

@@ -69,7 +69,7 @@ final class FileWork {
     Domain otherwise = workbench.domain().orElse(Domain.POLYGON);
     workbench
         .jobs()
-        .submit("Reading " + typed.getFileName(), p -> read(typed, otherwise), this::offer);
+        .read("Reading " + typed.getFileName(), p -> read(typed, otherwise), this::offer);
     folder = Optional.ofNullable(typed.toAbsolutePath().getParent());
   }
 
@@ -186,7 +186,7 @@ final class FileWork {
     folder = Optional.ofNullable(file.toAbsolutePath().getParent());
     workbench
         .jobs()
-        .submit(
+        .write(
             "Saving " + file.getFileName(),
             progress -> write(file, document),
             written -> {

@@ -18,6 +18,7 @@ public final class Launcher {
     if (java.awt.GraphicsEnvironment.isHeadless()) {
       throw new java.awt.HeadlessException("there is no display");
     }
+    Thread.setDefaultUncaughtExceptionHandler(FaultLog.ofUser());
     SwingUtilities.invokeLater(() -> openWindows(files));
   }
 

@@ -37,6 +37,7 @@ public final class MainWindow extends JFrame {
   private final transient PolygonResults polygons;
   private final transient StudyWork studies;
   private transient Editor last; // what was shown before
+  private boolean leaving; // as soon as all files are written
 
   /** A window that is not visible yet, with no application chosen. */
   public MainWindow() {
@@ -193,8 +194,19 @@ public final class MainWindow extends JFrame {
     files.open(file);
   }
 
-  /** Asks, and closes this window and its results. */
+  /** Asks, and closes this window and its results, once what is being saved is in its file. */
   void exit() {
+    if (workbench.jobs().isWriting() && !leaving) {
+      leaving = true;
+      say("Closing as soon as what is being saved is in its file; Exit again asks at once");
+      workbench.jobs().write("Closing", progress -> true, written -> askToLeave());
+    } else {
+      askToLeave();
+    }
+  }
+
+  private void askToLeave() {
+    leaving = false;
     List<String> unsaved = files.unsaved();
     String question =
         unsaved.isEmpty()

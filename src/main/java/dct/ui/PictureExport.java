@@ -29,7 +29,7 @@ final class PictureExport {
         Scene scene = canvas.scene();
         Viewport view = canvas.viewport();
         Dimension size = canvas.getSize();
-        jobs.submit(
+        jobs.write(
             "Exporting " + file.getFileName(),
             progress -> write(scene, view, size, file),
             written -> {});

@@ -80,6 +80,11 @@ final class StudyWork implements StudyHost {
     Ask.sorry(over, title, sentence);
   }
 
+  @Override
+  public void failed(Component over, String what, Throwable cause) {
+    new Failures(over, defect -> {}).show(what, cause);
+  }
+
   /** Ends all studies and closes their windows. */
   void dispose() {
     dialogs.values().forEach(StudyDialog::dispose);

@@ -92,7 +92,7 @@ final class WishWork {
         path ->
             workbench
                 .jobs()
-                .submit(
+                .read(
                     "Reading " + path.getFileName(),
                     progress -> WishFile.read(path, document.size()),
                     wishes -> loaded(editor, document, wishes, optimizer)));
@@ -123,7 +123,7 @@ final class WishWork {
     Document document = editor.document();
     workbench
         .jobs()
-        .submit(
+        .write(
             "Saving " + file.getFileName(),
             progress -> write(file, document.wishes()),
             written -> {

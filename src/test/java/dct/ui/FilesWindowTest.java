@@ -11,6 +11,8 @@ import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.assertj.swing.finder.JFileChooserFinder;
@@ -74,6 +76,54 @@ class FilesWindowTest extends WindowTest {
     open(sites);
     frame.radioButton("Point Sites Based").requireSelected();
     assertThat(points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void aFileIsSavedWhileASearchRuns() throws Exception {
+    drawTriangle();
+    CountDownLatch end = new CountDownLatch(1);
+    search(end);
+    menu("Save");
+    typeName(folder.resolve("mine").toString());
+    Path file = folder.resolve("mine_polygonbased.txt");
+    await("the file is saved", () -> onEventThread(() -> window.getTitle().startsWith("mine_")));
+    assertThat(file).hasContent("100 100\n500 100\n300 400\n");
+    assertThat(onEventThread(() -> window.workbench().jobs().isIdle())).isFalse();
+    end.countDown();
+    settle();
+  }
+
+  /** Runs a search until the latch is down. */
+  private void search(CountDownLatch end) {
+    onEventThread(
+        () ->
+            window.workbench().jobs().submitSearch("Search", progress -> isDown(end), found -> {}));
+  }
+
+  private static boolean isDown(CountDownLatch latch) {
+    try {
+      return latch.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Test
+  void exitWaitsForWhatIsBeingSaved() {
+    choose("Polygon Based");
+    CountDownLatch end = new CountDownLatch(1);
+    onEventThread(
+        () -> window.workbench().jobs().write("Slow", progress -> isDown(end), written -> {}));
+    onEventThread(
+        () -> {
+          window.exit();
+          return null;
+        });
+    assertThat(frame.label("status").text()).startsWith("Closing as soon as");
+    requireNoDialog();
+    end.countDown();
+    answer(dialog(), "Cancel");
+    assertThat(window.isShowing()).isTrue();
   }
 
   @Test

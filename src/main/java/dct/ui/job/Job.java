@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
-/** One piece of work in the queue of {@link Jobs}. */
+/** One piece of work in a queue of {@link Jobs}. */
 final class Job<T> implements Runnable, Progress, Jobs.Handle {
   private static final long REPORT_NANOS = 40_000_000;
 
@@ -14,13 +14,22 @@ final class Job<T> implements Runnable, Progress, Jobs.Handle {
   private final String what;
   private final Function<Progress, T> work;
   private final Consumer<T> done;
+  private final Jobs.Lane lane;
   private final boolean isSearch; // a cancel ends the work, and its result still counts
   private final AtomicBoolean cancelled = new AtomicBoolean();
   private final AtomicBoolean begun = new AtomicBoolean();
   private long lastReport; // used by the working thread only
 
-  Job(Jobs jobs, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
+  /** A piece of work that has not begun. */
+  Job(
+      Jobs jobs,
+      Jobs.Lane lane,
+      String what,
+      Function<Progress, T> work,
+      Consumer<T> done,
+      boolean isSearch) {
     this.jobs = jobs;
+    this.lane = lane;
     this.what = what;
     this.work = work;
     this.done = done;
@@ -29,6 +38,15 @@ final class Job<T> implements Runnable, Progress, Jobs.Handle {
 
   String what() {
     return what;
+  }
+
+  /** Whether it writes a file: what is asked to be written is written, whatever is cancelled. */
+  boolean isWrite() {
+    return lane == Jobs.Lane.WRITES;
+  }
+
+  boolean hasBegun() {
+    return begun.get();
   }
 
   @Override
@@ -43,18 +61,19 @@ final class Job<T> implements Runnable, Progress, Jobs.Handle {
     }
   }
 
+  /** Works, and tells of the end whatever it was: also of an error of the machine. */
   @Override
   public void run() {
+    begun.set(true);
     Jobs.onEventThread(() -> jobs.running(this, -1));
     Runnable then;
     try {
-      begun.set(true);
       checkCancelled();
       T result = work.apply(this);
       then = () -> finish(result);
     } catch (CancellationException e) {
       then = () -> {};
-    } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
+    } catch (Throwable e) {
       then = () -> jobs.failed(this, e);
     }
     Runnable end = then;

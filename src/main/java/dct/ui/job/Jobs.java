@@ -2,7 +2,10 @@ package dct.ui.job;
 
 import dct.core.Progress;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
@@ -10,9 +13,9 @@ import java.util.function.Function;
 import javax.swing.SwingUtilities;
 
 /**
- * Does long work in the background, one job after the other, and hands the results to the event
- * thread. Work that brings the picture up to date with the document does not wait for the other
- * jobs: it has a thread of its own. The methods are called on the event thread.
+ * Does long work in the background, one job of a lane after the other, and hands the results to the
+ * event thread. Each lane has a thread of its own, so that neither the picture nor a file waits for
+ * a search. The methods are called on the event thread.
  */
 public final class Jobs {
 
@@ -37,19 +40,33 @@ public final class Jobs {
     void withdraw();
   }
 
-  private final ExecutorService work = thread("jobs");
-  private final ExecutorService updates = thread("updates");
-  private final List<Job<?>> waiting = new ArrayList<>();
+  /** What follows each other in order. */
+  enum Lane {
+    /** Algorithms and searches. */
+    WORK,
+    /** What brings the picture up to date with the document. */
+    UPDATES,
+    READS,
+    /** Files that are written: in order, and whole before the program ends. */
+    WRITES
+  }
+
+  private final Map<Lane, ExecutorService> threads = new EnumMap<>(Lane.class);
+  private final List<Job<?>> waiting = new ArrayList<>(); // running or not yet begun, as queued
   private Listener listener;
 
-  /** A thread that does not keep the program alive. */
-  private static ExecutorService thread(String name) {
-    return Executors.newSingleThreadExecutor(
-        action -> {
-          Thread thread = new Thread(action, name);
-          thread.setDaemon(true);
-          return thread;
-        });
+  /** Jobs of which there are none yet. */
+  public Jobs() {
+    for (Lane lane : Lane.values()) {
+      threads.put(lane, Executors.newSingleThreadExecutor(action -> thread(lane, action)));
+    }
+  }
+
+  /** A thread that keeps the program alive only while files are to be written. */
+  private static Thread thread(Lane lane, Runnable action) {
+    Thread thread = new Thread(action, lane.name());
+    thread.setDaemon(lane != Lane.WRITES);
+    return thread;
   }
 
   /** Says who is told of progress and failures. */
@@ -65,12 +82,22 @@ public final class Jobs {
    * @param done gets the result on the event thread, unless the job is cancelled or fails
    */
   public <T> Handle submit(String what, Function<Progress, T> work, Consumer<T> done) {
-    return queue(this.work, new Job<>(this, what, work, done, false));
+    return queue(Lane.WORK, what, work, done, false);
+  }
+
+  /** Queues a job that reads a file. */
+  public <T> Handle read(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(Lane.READS, what, work, done, false);
+  }
+
+  /** Queues a job that writes a file; {@link #cancelCurrent} leaves it alone. */
+  public <T> Handle write(String what, Function<Progress, T> work, Consumer<T> done) {
+    return queue(Lane.WRITES, what, work, done, true);
   }
 
   /** Queues a job that brings the picture up to date with the document. */
   public <T> Handle update(String what, Function<Progress, T> work, Consumer<T> done) {
-    return queue(updates, new Job<>(this, what, work, done, false));
+    return queue(Lane.UPDATES, what, work, done, false);
   }
 
   /**
@@ -78,20 +105,33 @@ public final class Jobs {
    * {@code done} gets that too.
    */
   public <T> Handle submitSearch(String what, Function<Progress, T> work, Consumer<T> done) {
-    return queue(this.work, new Job<>(this, what, work, done, true));
+    return queue(Lane.WORK, what, work, done, true);
   }
 
-  private Handle queue(ExecutorService executor, Job<?> job) {
+  private <T> Handle queue(
+      Lane lane, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
+    Job<T> job = new Job<>(this, lane, what, work, done, isSearch);
     waiting.add(job);
-    executor.execute(job);
+    threads.get(lane).execute(job);
     return job;
   }
 
-  /** Cancels the job that is running, or else the next one. */
+  /** Cancels the job that the listener was told of last, unless it writes a file. */
   public void cancelCurrent() {
-    if (!waiting.isEmpty()) {
-      waiting.get(0).cancel();
-    }
+    current().filter(job -> !job.isWrite()).ifPresent(Job::cancel);
+  }
+
+  /** Of all jobs the first that can be cancelled, or else the first. */
+  private Optional<Job<?>> current() {
+    return waiting.stream()
+        .filter(job -> !job.isWrite())
+        .findFirst()
+        .or(() -> waiting.stream().findFirst());
+  }
+
+  /** Whether there are files that are not written yet. */
+  public boolean isWriting() {
+    return waiting.stream().anyMatch(Job::isWrite);
   }
 
   /** Whether nothing is running or waiting. */
@@ -99,26 +139,32 @@ public final class Jobs {
     return waiting.isEmpty();
   }
 
-  /** Cancels everything; nothing can be submitted after. */
+  /** Cancels everything but what is to be written; nothing can be submitted after. */
   public void shutDown() {
-    List.copyOf(waiting).forEach(Job::cancel);
-    work.shutdown();
-    updates.shutdown();
+    waiting.stream().filter(job -> !job.isWrite()).forEach(Job::cancel);
+    threads.values().forEach(ExecutorService::shutdown);
   }
 
-  /** Of several jobs that are running, the one queued first is the one to tell of. */
+  /** Tells of a job, if it is the current one, and how many others wait for their turn. */
   void running(Job<?> job, double fraction) {
-    if (!waiting.isEmpty() && waiting.get(0) == job && listener != null) {
-      listener.running(job.what(), fraction);
+    if (listener != null && current().filter(job::equals).isPresent()) {
+      long next = waiting.stream().filter(other -> other != job && !other.hasBegun()).count();
+      listener.running(job.what() + (next == 0 ? "" : " (" + next + " waiting)"), fraction);
     }
   }
 
   /** Takes a job off the list, then does what its end calls for. */
   void ended(Job<?> job, Runnable then) {
+    boolean wasCurrent = current().filter(job::equals).isPresent();
     waiting.remove(job);
-    then.run();
-    if (waiting.isEmpty() && listener != null) {
-      listener.idle();
+    try {
+      then.run();
+    } finally {
+      if (waiting.isEmpty() && listener != null) {
+        listener.idle();
+      } else if (wasCurrent) {
+        current().ifPresent(next -> running(next, -1));
+      }
     }
   }
 

@@ -10,6 +10,7 @@ import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -174,11 +175,17 @@ public final class StudyDialog extends JDialog {
     String word = (String) charts.getSelectedItem();
     Optional<Path> file = host.askFile(this, study.name() + ".csv");
     if (file.isPresent()) {
-      try {
-        results().write(file.get(), word);
-      } catch (CannotWriteException | IllegalArgumentException e) {
-        host.sorry(this, "Export", e.getMessage());
-      }
+      StudyExport results = results();
+      pictures.write("Export", progress -> write(results, file.get(), word), written -> {});
+    }
+  }
+
+  private static Path write(StudyExport results, Path file, String chart) {
+    try {
+      results.write(file, chart);
+      return file;
+    } catch (CannotWriteException e) {
+      throw new UncheckedIOException(e);
     }
   }
 
@@ -225,7 +232,7 @@ public final class StudyDialog extends JDialog {
     @Override
     public void failed(Throwable cause) {
       showState();
-      host.sorry(StudyDialog.this, getTitle(), String.valueOf(cause.getMessage()));
+      host.failed(StudyDialog.this, getTitle(), cause);
     }
   }
 
@@ -239,7 +246,7 @@ public final class StudyDialog extends JDialog {
 
     @Override
     public void failed(String what, Throwable cause) {
-      host.sorry(StudyDialog.this, what, String.valueOf(cause.getMessage()));
+      host.failed(StudyDialog.this, what, cause);
     }
   }
 }

@@ -17,4 +17,7 @@ public interface StudyHost {
 
   /** Says that something is wrong. */
   void sorry(Component over, String title, String sentence);
+
+  /** Says why some work failed. */
+  void failed(Component over, String what, Throwable cause);
 }

@@ -3,6 +3,7 @@ package dct.ui.job;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -181,6 +182,90 @@ class JobsTest {
     goOn.countDown();
     awaitIdle();
     assertThat(results).containsExactly("first", "third");
+  }
+
+  @Test
+  void aJobThatEndsInAnErrorEndsToo() throws Exception {
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.submit("work", progress -> fail(new NoClassDefFoundError("gone")), result -> {});
+          jobs.submit("next", progress -> 1, result -> heard.add("done"));
+        });
+    assertThat(awaitIdle()).contains("failed work: gone", "done");
+  }
+
+  private static Object fail(Error error) {
+    throw error;
+  }
+
+  @Test
+  void aResultThatCannotBeShownEndsItsJobAllTheSame() throws Exception {
+    LinkedBlockingQueue<Throwable> uncaught = new LinkedBlockingQueue<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          Thread.currentThread().setUncaughtExceptionHandler((thread, e) -> uncaught.add(e));
+          jobs.submit("work", progress -> new AssertionError("shown"), JobsTest::fail);
+        });
+    awaitIdle();
+    assertThat(uncaught.poll(10, TimeUnit.SECONDS)).hasMessage("shown");
+    SwingUtilities.invokeAndWait(() -> assertThat(jobs.isIdle()).isTrue());
+  }
+
+  @Test
+  void filesAreReadAndWrittenWhileASearchRuns() throws Exception {
+    CountDownLatch written = new CountDownLatch(2);
+    List<String> order = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.submitSearch("search", progress -> await(written), r -> order.add("search " + r));
+          jobs.read("read", progress -> 1, result -> written.countDown());
+          jobs.write("write", progress -> 1, result -> written.countDown());
+        });
+    awaitIdle();
+    assertThat(order).containsExactly("search true");
+  }
+
+  @Test
+  void filesAreWrittenInOrderWhateverIsCancelled() throws Exception {
+    CountDownLatch cancelled = new CountDownLatch(1);
+    List<Integer> order = Collections.synchronizedList(new ArrayList<>());
+    CountDownLatch all = new CountDownLatch(20);
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.write("first", progress -> await(cancelled), result -> {});
+          for (int i = 0; i < 20; i++) {
+            int number = i;
+            jobs.write(
+                "write",
+                progress -> {
+                  all.countDown();
+                  return order.add(number);
+                },
+                result -> {});
+          }
+          assertThat(jobs.isWriting()).isTrue();
+          jobs.cancelCurrent();
+          jobs.shutDown();
+          cancelled.countDown();
+        });
+    assertThat(await(all)).isTrue();
+    awaitIdle();
+    assertThat(order).hasSize(20).isSorted();
+    SwingUtilities.invokeAndWait(() -> assertThat(jobs.isWriting()).isFalse());
+  }
+
+  @Test
+  void whatWaitsIsCountedAndWhatIsNextIsTold() throws Exception {
+    CountDownLatch goOn = new CountDownLatch(1);
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.submit("first", progress -> await(goOn), result -> {});
+          jobs.submit("second", progress -> 2, result -> {});
+          jobs.submit("third", progress -> 3, result -> {});
+        });
+    assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("running first (2 waiting)");
+    goOn.countDown();
+    assertThat(awaitIdle()).anyMatch(line -> line.startsWith("running third"));
   }
 
   private List<String> awaitIdle() throws InterruptedException {
