@@ -42,7 +42,7 @@ abstract class Verb implements Callable<Integer> {
 
   private static String version() {
     String version = Verb.class.getPackage().getImplementationVersion();
-    return "dct " + (version == null ? "(not from a jar)" : version);
+    return "dct " + (version == null ? "(not from a jar)" : version) + ", Apache License 2.0";
   }
 
   final CommandSpec spec() {
