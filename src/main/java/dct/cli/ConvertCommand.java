@@ -9,7 +9,7 @@ import picocli.CommandLine.Model.OptionSpec;
 final class ConvertCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec output =
-      outputs(true, "Where to: " + Format.ENDINGS + "; - is text on standard output. May repeat.");
+      outputs(true, "Where to: " + endings() + "; - is text on standard output. May repeat.");
 
   ConvertCommand(Console console) {
     super(console, "Writes the points of a file in another format. They need not be a polygon.");
@@ -19,6 +19,7 @@ final class ConvertCommand extends Verb {
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
     PointDocument document = input.read();
+    document.declared().ifPresent(domain -> checkNames(outputs, domain));
     for (String file : outputs) {
       PointOutput.write(document, file, console());
     }

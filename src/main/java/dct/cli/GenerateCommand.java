@@ -43,7 +43,7 @@ final class GenerateCommand extends Verb {
       outputs(
           false,
           "Where to: "
-              + Format.ENDINGS
+              + endings()
               + "; - is text on standard output, which is the default."
               + " May repeat.");
 
@@ -80,6 +80,7 @@ final class GenerateCommand extends Verb {
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
     PointDocument document = document();
+    checkNames(outputs, document.declared().orElseThrow());
     for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
       PointOutput.write(document, file, console());
     }

@@ -27,11 +27,11 @@ final class PointOutput {
       return;
     }
     Path file = Path.of(output);
-    switch (Format.of(output)) {
+    switch (Verb.ending(output)) {
       case TXT -> PointFile.write(file, document);
       case JSON -> ResultJson.write(file, document);
       case OFF -> OffFile.write(file, document.points());
-      case PICTURE -> PictureFile.write(scene(document), file);
+      default -> PictureFile.write(scene(document), file);
     }
   }
 

@@ -31,12 +31,12 @@ record ResultOutput(Result result, Optional<FlipResult> flipped) {
       return;
     }
     Path file = Path.of(output);
-    switch (Format.of(output)) {
+    switch (Verb.ending(output)) {
       case TXT ->
           PointFile.write(file, result.triangulation().domain(), result.triangulation().points());
       case JSON -> ResultJson.write(file, result);
       case OFF -> OffFile.write(file, result.triangulation());
-      case PICTURE -> PictureFile.write(scene(), file);
+      default -> PictureFile.write(scene(), file);
     }
   }
 

@@ -2,8 +2,9 @@ package dct.cli;
 
 import dct.experiment.study.Study;
 import dct.experiment.study.StudyExport;
-import dct.experiment.study.StudyExport.Format;
 import dct.experiment.study.StudyFile;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -24,8 +25,13 @@ final class StudyOutputs {
     output =
         verb.outputs(
             false,
-            "Where to: .csv the rows; .md or .tex the tables; .svg, .png or .pdf a chart; - is the"
-                + " rows on standard output. May repeat.");
+            "Where to: "
+                + FileEnding.list(Content.ROWS)
+                + " the rows; "
+                + FileEnding.list(Content.TABLES)
+                + " the tables; "
+                + FileEnding.list(Content.CHART)
+                + " a chart; - is the rows on standard output. May repeat.");
     chart =
         verb.option(
             "--chart",
@@ -47,12 +53,13 @@ final class StudyOutputs {
    */
   void check(Study study) {
     for (String name : names()) {
-      if (!name.equals(Verb.STANDARD_STREAM) && Format.of(name).isEmpty()) {
+      if (!name.equals(Verb.STANDARD_STREAM) && StudyExport.ending(name).isEmpty()) {
         throw new UsageException(
             String.format(
                 Locale.ROOT,
-                "the ending of %s is no format of a study, use .csv, .md, .tex, .svg, .png or .pdf",
-                name));
+                "the ending of %s is no format of a study, use %s",
+                name,
+                StudyExport.endings()));
       }
     }
     List<String> words = study.chartWords();
@@ -74,7 +81,7 @@ final class StudyOutputs {
   /** The file that keeps the rows: the first one of that format. */
   Optional<String> rowFile() {
     return names().stream()
-        .filter(name -> Format.of(name).filter(Format.CSV::equals).isPresent())
+        .filter(name -> FileEnding.of(name, Content.ROWS).isPresent())
         .findFirst();
   }
 

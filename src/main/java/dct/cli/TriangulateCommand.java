@@ -7,6 +7,8 @@ import dct.core.degree.Optimum;
 import dct.core.degree.ScanFlip;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.io.Result;
 import dct.io.ResultJson;
 import java.io.IOException;
@@ -29,7 +31,9 @@ final class TriangulateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Where to write: .json the whole result, .txt the vertices, .off the triangles, .png, .svg, .pdf, .ipe or .tex a picture; - is the"
+          "Where to write: .json the whole result, .txt the vertices, .off the triangles, "
+              + FileEnding.list(Content.PICTURE)
+              + " a picture; - is the"
               + " whole result as JSON on standard output. May repeat.");
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");
@@ -63,6 +67,7 @@ final class TriangulateCommand extends Verb {
   private ResultOutput make() throws IOException {
     Stopwatch watch = new Stopwatch();
     Shape shape = Shape.of(input.read());
+    checkNames(outputsOf(output), shape.domain());
     double read = watch.lap();
     Algorithm chosen = chosen(shape.domain());
     Triangulation made = chosen.triangulate(shape);

@@ -1,6 +1,12 @@
 package dct.cli;
 
+import dct.core.triangulate.Domain;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
+import dct.io.FileNames;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -14,6 +20,9 @@ import picocli.CommandLine.Model.PositionalParamSpec;
  */
 abstract class Verb implements Callable<Integer> {
   static final String STANDARD_STREAM = "-";
+  private static final Content[] CONTENTS = {
+    Content.POINTS, Content.TRIANGULATION, Content.PICTURE
+  };
 
   private final Console console;
   private final CommandSpec spec = CommandSpec.wrapWithoutInspection(this);
@@ -139,9 +148,42 @@ abstract class Verb implements Callable<Integer> {
     }
     for (String output : outputs) {
       if (!output.equals(STANDARD_STREAM)) {
-        Format.of(output);
+        ending(output);
       }
     }
     return outputs;
+  }
+
+  /**
+   * Sees that no output says by its name that it holds the other kind of data.
+   *
+   * @throws UsageException if one does and can be read again
+   */
+  static void checkNames(List<String> outputs, Domain domain) {
+    for (String output : outputs) {
+      boolean isRead = FileEnding.TXT.isOf(output) || FileEnding.JSON.isOf(output);
+      Optional<String> wrong =
+          isRead ? FileNames.contradiction(Path.of(output), domain) : Optional.empty();
+      wrong.ifPresent(
+          sentence -> {
+            throw new UsageException(sentence);
+          });
+    }
+  }
+
+  /** The endings of all outputs that are no files of a study, for messages. */
+  static String endings() {
+    return FileEnding.list(CONTENTS);
+  }
+
+  /**
+   * The ending of an output of this name.
+   *
+   * @throws UsageException if it is no format
+   */
+  static FileEnding ending(String name) {
+    return FileEnding.of(name, CONTENTS)
+        .orElseThrow(
+            () -> new UsageException("the ending of " + name + " is no format, use " + endings()));
   }
 }

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
  * NAME_pointbased.txt} for sites.
  */
 public final class FileNames {
-  private static final String EXTENSION = ".txt";
+  private static final String EXTENSION = FileEnding.TXT.dotted();
 
   private FileNames() {}
 
@@ -51,6 +51,24 @@ public final class FileNames {
       stem += suffix(domain);
     }
     return typed.resolveSibling(stem + (extension.isEmpty() ? EXTENSION : extension));
+  }
+
+  /**
+   * Why a file of this name should not be written with data of this kind: it would be opened as
+   * what it is not. Nothing if the name says nothing else.
+   */
+  public static Optional<String> contradiction(Path typed, Domain domain) {
+    return domain(typed)
+        .filter(said -> said != domain)
+        .map(
+            said ->
+                String.format(
+                    Locale.ROOT,
+                    "%s would be read as %s, but this is %s; name it %s",
+                    typed,
+                    DomainWord.of(said),
+                    DomainWord.of(domain),
+                    forSaving(typed, domain)));
   }
 
   /**

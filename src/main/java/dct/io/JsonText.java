@@ -4,6 +4,7 @@ import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
+import dct.core.Decimals;
 import dct.core.triangulate.EdgeKind;
 import java.io.BufferedReader;
 import java.io.EOFException;

@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Decimals;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;

@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Decimals;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import java.io.BufferedInputStream;

@@ -2,6 +2,7 @@ package dct.io;
 
 import com.google.gson.FormattingStyle;
 import com.google.gson.stream.JsonWriter;
+import dct.core.Decimals;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.geometry.Points;

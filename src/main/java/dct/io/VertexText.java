@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Decimals;
 import dct.core.triangulate.Domain;
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Decimals;
 import java.util.Locale;
 
 /**
@@ -68,7 +69,7 @@ public final class IpePen implements Pen {
   }
 
   private void circle(double x, double y, double radius) {
-    String r = PenNumbers.of(radius);
+    String r = Decimals.rounded(radius);
     out.append(r).append(" 0 0 ").append(r).append(' ').append(point(x, y)).append(" e\n</path>\n");
   }
 
@@ -89,7 +90,7 @@ public final class IpePen implements Pen {
           case END -> "right";
         };
     out.append("<text type=\"label\" valign=\"baseline\" halign=\"").append(side);
-    out.append("\" pos=\"").append(point(x, y)).append("\" size=\"").append(PenNumbers.of(size));
+    out.append("\" pos=\"").append(point(x, y)).append("\" size=\"").append(Decimals.rounded(size));
     out.append("\" stroke=\"").append(colour()).append("\">");
     out.append(TexText.of(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"));
     out.append("</text>\n");
@@ -97,7 +98,7 @@ public final class IpePen implements Pen {
 
   private void stroked() {
     out.append("<path stroke=\"").append(colour()).append("\" pen=\"");
-    out.append(PenNumbers.of(stroke.width()));
+    out.append(Decimals.rounded(stroke.width()));
     out.append(stroke.dashed() ? "\" dash=\"[5 5] 0\">\n" : "\">\n");
   }
 
@@ -106,7 +107,7 @@ public final class IpePen implements Pen {
   }
 
   private String point(double x, double y) {
-    return PenNumbers.of(x) + " " + PenNumbers.of(height - y);
+    return Decimals.rounded(x) + " " + Decimals.rounded(height - y);
   }
 
   /** The three parts of the colour, from 0 to 1. */

@@ -3,15 +3,14 @@ package dct.render;
 import dct.core.geometry.Box;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Locale;
-import java.util.Optional;
 import javax.imageio.ImageIO;
 
 /** Writes scenes as pictures: light on white, the whole scene with a margin round it. */
@@ -24,38 +23,13 @@ public final class PictureFile {
 
   private static final Theme THEME = Theme.LIGHT;
 
-  /** The formats of pictures. */
-  public enum Format {
-    /** Pixels. */
-    PNG,
-    /** Shapes. */
-    SVG,
-    /** A page. */
-    PDF,
-    /** For the editor Ipe. */
-    IPE,
-    /** LaTeX, with TikZ. */
-    TEX;
-
-    /** The endings of all, for messages. */
-    public static final String ENDINGS = ".png, .svg, .pdf, .ipe or .tex";
-
-    /** The format that a file's ending asks for, or nothing for another ending. */
-    public static Optional<Format> of(Path file) {
-      String name = file.toString().toLowerCase(Locale.ROOT);
-      return Arrays.stream(values())
-          .filter(format -> name.endsWith("." + format.name().toLowerCase(Locale.ROOT)))
-          .findFirst();
-    }
-  }
-
   private PictureFile() {}
 
   /**
    * Writes a picture of the whole scene, y downwards, in the format of the file's ending. The file
    * is written whole or not at all.
    *
-   * @throws IllegalArgumentException if the ending is that of no {@link Format}
+   * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Scene scene, Path file) throws CannotWriteException {
@@ -65,16 +39,13 @@ public final class PictureFile {
   /**
    * Writes what this viewport shows of the scene on a screen of this size.
    *
-   * @throws IllegalArgumentException if the ending is that of no {@link Format}
+   * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Scene scene, Viewport view, int width, int height, Path file)
       throws CannotWriteException {
-    Format format =
-        Format.of(file)
-            .orElseThrow(
-                () -> new IllegalArgumentException(file + " does not end in " + Format.ENDINGS));
-    AtomicFile.write(file, out -> write(scene, view, width, height, format, out));
+    FileEnding ending = FileEnding.require(file, Content.PICTURE);
+    AtomicFile.write(file, out -> write(scene, view, width, height, ending, out));
   }
 
   /** The viewport of a picture of the whole scene. */
@@ -83,14 +54,15 @@ public final class PictureFile {
   }
 
   private static void write(
-      Scene scene, Viewport view, int width, int height, Format format, OutputStream out)
+      Scene scene, Viewport view, int width, int height, FileEnding ending, OutputStream out)
       throws IOException {
-    switch (format) {
+    switch (ending) {
       case PNG -> ImageIO.write(image(scene, view, width, height), "png", out);
       case SVG -> write(svg(scene, view, width, height), out);
       case PDF -> PdfPage.write(width, height, g -> draw(scene, view, width, height, g), out);
       case IPE -> write(ipe(scene, view, width, height), out);
       case TEX -> write(tex(scene, view, width, height), out);
+      default -> throw new IllegalArgumentException(ending + " is no picture");
     }
   }
 

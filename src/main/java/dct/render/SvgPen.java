@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Decimals;
 import java.util.Locale;
 
 /**
@@ -114,7 +115,7 @@ public final class SvgPen implements Pen {
   }
 
   private void number(double value) {
-    out.append(PenNumbers.of(value));
+    out.append(Decimals.rounded(value));
   }
 
   private void escaped(String text) {

@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Decimals;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
@@ -37,7 +38,7 @@ public final class TikzPen implements Pen {
     out.append("\\begin{document}\n");
     out.append(
         String.format(
-            Locale.ROOT, "\\begin{tikzpicture}[x=%1$sbp, y=-%1$sbp]\n", PenNumbers.of(POINTS)));
+            Locale.ROOT, "\\begin{tikzpicture}[x=%1$sbp, y=-%1$sbp]\n", Decimals.rounded(POINTS)));
     out.append(
         String.format(Locale.ROOT, "\\useasboundingbox (0,0) rectangle (%d,%d);\n", width, height));
     out.append(body).append("\\end{tikzpicture}\n\\end{document}\n");
@@ -103,11 +104,11 @@ public final class TikzPen implements Pen {
   }
 
   private static String point(double x, double y) {
-    return "(" + PenNumbers.of(x) + "," + PenNumbers.of(y) + ")";
+    return "(" + Decimals.rounded(x) + "," + Decimals.rounded(y) + ")";
   }
 
   private static String points(double pixels) {
-    return PenNumbers.of(POINTS * pixels) + "bp";
+    return Decimals.rounded(POINTS * pixels) + "bp";
   }
 
   private static String name(Ink ink) {

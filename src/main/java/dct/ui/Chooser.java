@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Path;
@@ -9,17 +11,19 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** The file panels. Each kind begins in the folder where it was last. */
 enum Chooser {
-  DOCUMENTS("Polygons and sites", "txt"),
-  WISHES("Wished parities", "txt"),
-  PICTURES("Pictures", "png svg pdf ipe tex"),
-  STUDIES("Rows, tables and charts", "csv md tex svg png pdf");
+  DOCUMENTS("Polygons and sites", FileEnding.TXT.dotted().substring(1)),
+  WISHES("Wished parities", FileEnding.TXT.dotted().substring(1)),
+  PICTURES("Pictures", FileEnding.extensions(Content.PICTURE)),
+  STUDIES(
+      "Rows, tables and charts",
+      FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));
 
   private final String filter;
-  private final String endings; // separated by blanks
+  private final String extensions; // separated by blanks
 
-  Chooser(String title, String endings) {
-    filter = title + " (*." + endings.replace(" ", ", *.") + ")";
-    this.endings = endings;
+  Chooser(String title, String... extensions) {
+    filter = title + " (*." + String.join(", *.", extensions) + ")";
+    this.extensions = String.join(" ", extensions);
   }
 
   /** Asks for a file to open. */
@@ -46,7 +50,7 @@ enum Chooser {
 
   private JFileChooser panel(Optional<Path> folder) {
     JFileChooser chooser = new JFileChooser(folder.map(Path::toFile).orElse(new File(".")));
-    chooser.setFileFilter(new FileNameExtensionFilter(filter, endings.split(" ")));
+    chooser.setFileFilter(new FileNameExtensionFilter(filter, extensions.split(" ")));
     return chooser;
   }
 

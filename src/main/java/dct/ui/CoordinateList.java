@@ -1,8 +1,8 @@
 package dct.ui;
 
+import dct.core.Decimals;
 import dct.core.geometry.Points;
 import java.awt.Font;
-import java.math.BigDecimal;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -63,7 +63,10 @@ final class CoordinateList extends JScrollPane {
     int lines = Math.min(points.size(), MOST_LINES);
     StringBuilder text = new StringBuilder();
     for (int v = 0; v < lines; v++) {
-      text.append(number(points.x(v))).append(' ').append(number(points.y(v))).append('\n');
+      text.append(Decimals.format(points.x(v)))
+          .append(' ')
+          .append(Decimals.format(points.y(v)))
+          .append('\n');
     }
     if (lines < points.size()) {
       text.append("and ").append(points.size() - lines).append(" more");
@@ -72,12 +75,6 @@ final class CoordinateList extends JScrollPane {
     coordinates.setText(text.toString());
     coordinates.setCaretPosition(caret);
     numbers.setLines(lines);
-  }
-
-  private static String number(double value) {
-    return value == Math.rint(value) && Math.abs(value) < 1e15
-        ? Long.toString((long) value)
-        : new BigDecimal(Double.toString(value)).stripTrailingZeros().toString();
   }
 
   @Override

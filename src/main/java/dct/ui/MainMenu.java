@@ -1,7 +1,8 @@
 package dct.ui;
 
 import dct.core.triangulate.Domain;
-import dct.render.PictureFile;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
@@ -54,7 +55,7 @@ final class MainMenu {
             command(
                 "Export Picture",
                 "ctrl E",
-                "Writes what is seen to a picture: " + PictureFile.Format.ENDINGS,
+                "Writes what is seen to a picture: " + FileEnding.list(Content.PICTURE),
                 () ->
                     PictureExport.ask(
                         window, canvas, window.documentName(), window.workbench().jobs())))

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.core.Decimals;
 import dct.core.geometry.Defect;
 import dct.core.triangulate.Domain;
 import dct.ui.canvas.CanvasPanel;
@@ -13,7 +14,6 @@ import java.awt.Cursor;
 import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.AbstractAction;
@@ -119,12 +119,8 @@ public final class MainWindow extends JFrame {
   }
 
   private void mouseAt(Spot spot) {
-    canvas.setCorner("x " + number(spot.x()) + "   y " + number(spot.y()));
+    canvas.setCorner("x " + Decimals.format(spot.x()) + "   y " + Decimals.format(spot.y()));
     status.setHint(workbench.hint());
-  }
-
-  private static String number(double value) {
-    return new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString();
   }
 
   private void say(String message) {

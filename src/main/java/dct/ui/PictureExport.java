@@ -1,8 +1,9 @@
 package dct.ui;
 
 import dct.io.CannotWriteException;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.render.PictureFile;
-import dct.render.PictureFile.Format;
 import dct.render.Scene;
 import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
@@ -38,8 +39,7 @@ final class PictureExport {
   }
 
   private static Path withEnding(Path typed) {
-    boolean said = Format.of(typed).isPresent();
-    return said ? typed : typed.resolveSibling(typed.getFileName() + ".png");
+    return FileEnding.PNG.orElseOn(typed, Content.PICTURE);
   }
 
   private static Path write(Scene scene, Viewport view, Dimension size, Path file) {

@@ -1,7 +1,8 @@
 package dct.ui;
 
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.render.Labels;
-import dct.render.PictureFile;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
@@ -50,7 +51,7 @@ public final class ResultFrame extends JFrame {
                 new Command(
                     "Export Picture",
                     "ctrl E",
-                    "Writes what is seen to a picture: " + PictureFile.Format.ENDINGS,
+                    "Writes what is seen to a picture: " + FileEnding.list(Content.PICTURE),
                     () -> PictureExport.ask(this, canvas, name, jobs)))
             .line()
             .with(new Command("Close", "ctrl W", "Closes this window", this::dispose)));

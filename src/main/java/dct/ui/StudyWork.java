@@ -70,7 +70,7 @@ final class StudyWork implements StudyHost {
   }
 
   private static Path withEnding(Path typed, String suggested) {
-    boolean said = StudyExport.Format.of(typed.toString()).isPresent();
+    boolean said = StudyExport.ending(typed.toString()).isPresent();
     String ending = suggested.substring(suggested.lastIndexOf('.'));
     return said ? typed : typed.resolveSibling(typed.getFileName() + ending);
   }

@@ -237,4 +237,23 @@ class TriangulateCommandTest {
     assertThat(summary(first.out()).get("kind").getAsString()).isEqualTo("points");
     assertThat(summary(first.out()).get("vertices").getAsInt()).isEqualTo(6);
   }
+
+  @Test
+  void an_output_named_as_the_other_kind_is_refused_before_anything_is_written()
+      throws IOException {
+    Path out = folder.resolve("x_pointbased.txt");
+    Path good = folder.resolve("y.json");
+    CliRun run = CliRun.withInput(HEXAGON, "triangulate", "-", "-o", good, "-o", out);
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("would be read as points", "name it " + folder, "_polygonbased");
+    assertThat(folder).isEmptyDirectory();
+    Path json = folder.resolve("z_POLYGONBASED.json");
+    assertThat(CliRun.withInput(SITES, "triangulate", "-", "--as", "points", "-o", json).status())
+        .isEqualTo(2);
+    assertThat(CliRun.of("generate", "points", "-n", "9", "-o", json).status()).isEqualTo(2);
+    assertThat(CliRun.withInput(HEXAGON, "convert", "-", "--as", "polygon", "-o", out).status())
+        .isEqualTo(2);
+    CliRun.withInput(HEXAGON, "convert", "-", "-o", out).done();
+    CliRun.withInput(HEXAGON, "triangulate", "-", "-o", folder.resolve("p_pointbased.svg")).done();
+  }
 }

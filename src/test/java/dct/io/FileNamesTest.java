@@ -80,4 +80,14 @@ class FileNamesTest {
         .isInstanceOf(BadInputException.class)
         .hasMessage(typed + ": there is both x_polygonbased.txt and x_pointbased.txt; say which");
   }
+
+  @Test
+  void a_name_of_the_other_kind_is_contradicted_with_the_right_one() {
+    assertThat(FileNames.contradiction(Path.of("a/x_pointbased.txt"), Domain.POLYGON))
+        .contains(
+            "a/x_pointbased.txt would be read as points, but this is polygon; name it"
+                + " a/x_polygonbased.txt");
+    assertThat(FileNames.contradiction(Path.of("x_pointbased.txt"), Domain.SITES)).isEmpty();
+    assertThat(FileNames.contradiction(Path.of("x.txt"), Domain.SITES)).isEmpty();
+  }
 }

@@ -1,5 +1,6 @@
 package dct.core.geometry;
 
+import dct.core.Decimals;
 import java.util.Locale;
 
 /**
@@ -77,13 +78,7 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
   }
 
   private String place() {
-    return "(" + number(x) + ", " + number(y) + ")";
-  }
-
-  private static String number(double value) {
-    return value == Math.rint(value) && Math.abs(value) < 1e15
-        ? Long.toString((long) value)
-        : Double.toString(value);
+    return "(" + Decimals.format(x) + ", " + Decimals.format(y) + ")";
   }
 
   private String edge(int v) {

@@ -2,13 +2,13 @@ package dct.experiment.study;
 
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.render.chart.Chart;
 import dct.render.chart.ChartFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -20,28 +20,16 @@ import java.util.Optional;
  */
 public record StudyExport(Study study, List<StudyRow> rows, boolean times) {
 
-  /** The formats, each chosen by the ending of the same name. */
-  public enum Format {
-    /** The rows. */
-    CSV,
-    /** The tables in Markdown. */
-    MD,
-    /** The tables in LaTeX. */
-    TEX,
-    /** A chart as shapes. */
-    SVG,
-    /** A chart as pixels. */
-    PNG,
-    /** A chart as a page. */
-    PDF;
+  private static final Content[] CONTENTS = {Content.ROWS, Content.TABLES, Content.CHART};
 
-    /** The format that a file's ending asks for, or nothing for another ending. */
-    public static Optional<Format> of(String name) {
-      String lower = name.toLowerCase(Locale.ROOT);
-      return Arrays.stream(values())
-          .filter(format -> lower.endsWith("." + format.name().toLowerCase(Locale.ROOT)))
-          .findFirst();
-    }
+  /** The ending of a file's name, if something of a study can be written to it. */
+  public static Optional<FileEnding> ending(String name) {
+    return FileEnding.of(name, CONTENTS);
+  }
+
+  /** The endings of all files of a study, for messages. */
+  public static String endings() {
+    return FileEnding.list(CONTENTS);
   }
 
   /**
@@ -52,14 +40,11 @@ public record StudyExport(Study study, List<StudyRow> rows, boolean times) {
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public void write(Path file, String chartWord) throws CannotWriteException {
-    Format format =
-        Format.of(file.toString())
-            .orElseThrow(() -> new IllegalArgumentException(file + " has no ending of a study"));
-    switch (format) {
+    switch (FileEnding.require(file, CONTENTS)) {
       case CSV -> text(file, csv());
       case MD -> text(file, MarkdownText.of(study.tables(rows)));
       case TEX -> text(file, LatexText.of(study.tables(rows)));
-      case SVG, PNG, PDF -> ChartFile.write(chart(chartWord), file);
+      default -> ChartFile.write(chart(chartWord), file);
     }
   }
 

@@ -2,6 +2,8 @@ package dct.render.chart;
 
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.render.PdfPage;
 import dct.render.Theme;
 import java.awt.Graphics2D;
@@ -11,9 +13,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Locale;
-import java.util.Optional;
 import javax.imageio.ImageIO;
 
 /** Writes charts as pictures, light on white. */
@@ -21,21 +20,6 @@ public final class ChartFile {
   private static final int WIDTH = 900;
   private static final int HEIGHT = 480;
   private static final int DOTS = 2; // of an image, for each unit
-
-  /** The formats, each chosen by the ending of the same name. */
-  public enum Format {
-    PNG,
-    SVG,
-    PDF;
-
-    /** The format that a file's ending asks for, or nothing for another ending. */
-    public static Optional<Format> of(Path file) {
-      String name = file.toString().toLowerCase(Locale.ROOT);
-      return Arrays.stream(values())
-          .filter(format -> name.endsWith("." + format.name().toLowerCase(Locale.ROOT)))
-          .findFirst();
-    }
-  }
 
   private ChartFile() {}
 
@@ -46,17 +30,16 @@ public final class ChartFile {
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
   public static void write(Chart chart, Path file) throws CannotWriteException {
-    Format format =
-        Format.of(file)
-            .orElseThrow(() -> new IllegalArgumentException(file + " has no ending of a chart"));
-    AtomicFile.write(file, out -> write(chart, format, out));
+    FileEnding ending = FileEnding.require(file, Content.CHART);
+    AtomicFile.write(file, out -> write(chart, ending, out));
   }
 
-  private static void write(Chart chart, Format format, OutputStream out) throws IOException {
-    switch (format) {
+  private static void write(Chart chart, FileEnding ending, OutputStream out) throws IOException {
+    switch (ending) {
       case PNG -> ImageIO.write(image(chart), "png", out);
       case SVG -> out.write(svg(chart).getBytes(StandardCharsets.UTF_8));
       case PDF -> PdfPage.write(WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
+      default -> throw new IllegalArgumentException(ending + " is no chart");
     }
   }
 

@@ -4,6 +4,7 @@ import dct.experiment.study.Study;
 import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyRow;
 import dct.io.CannotWriteException;
+import dct.io.FileEnding;
 import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -47,7 +48,7 @@ public final class StudyDialog extends JDialog {
   private final JButton start = button("Start", "Runs the study, or goes on with it");
   private final JButton cancel = button("Cancel", "Ends the run and keeps the rows");
   private final JButton export =
-      button("Export", "Writes rows (.csv), tables (.md, .tex) or the chart (.svg, .png, .pdf)");
+      button("Export", "Writes rows, tables or the chart: " + StudyExport.endings());
   private final JProgressBar progress = new JProgressBar(0, STEPS);
   private transient Study study; // of the rows shown; null before the first run
 
@@ -173,7 +174,7 @@ public final class StudyDialog extends JDialog {
 
   private void export() {
     String word = (String) charts.getSelectedItem();
-    Optional<Path> file = host.askFile(this, study.name() + ".csv");
+    Optional<Path> file = host.askFile(this, study.name() + FileEnding.CSV.dotted());
     if (file.isPresent()) {
       StudyExport results = results();
       pictures.write("Export", progress -> write(results, file.get(), word), written -> {});

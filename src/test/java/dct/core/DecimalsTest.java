@@ -1,8 +1,7 @@
-package dct.io;
+package dct.core;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dct.core.SeededRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -142,5 +141,27 @@ class DecimalsTest {
   void numbers_beyond_the_doubles_are_infinite() {
     assertThat(Decimals.parse("1e400")).isInfinite();
     assertThat(Decimals.parse("-1" + "0".repeat(400))).isInfinite();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, 0",
+    "-0.004, 0",
+    "1.005, 1",
+    "0.125, 0.12",
+    "0.375, 0.38",
+    "-2.5, -2.5",
+    "100, 100",
+    "1e22, 10000000000000000000000",
+    "1e-300, 0",
+  })
+  void rounds_to_two_places_half_to_even(double value, String text) {
+    assertThat(Decimals.rounded(value)).isEqualTo(text);
+  }
+
+  @Test
+  void says_that_a_number_is_not_finite() {
+    assertThat(Decimals.format(Double.NEGATIVE_INFINITY)).isEqualTo("-Infinity");
+    assertThat(Decimals.format(Double.NaN)).isEqualTo("NaN");
   }
 }

@@ -1,12 +1,12 @@
-package dct.io;
+package dct.core;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
-import java.nio.charset.StandardCharsets;
 
 /**
- * Decimal numbers in files: read correctly rounded, written as shortly as they can be read back.
+ * Decimal numbers, the one way in which they are read and printed: read correctly rounded, written
+ * as shortly as they can be read back.
  *
  * <p>Up to 15 digits are one exact division (Clinger, "How to read floating point numbers
  * accurately", 1990). Up to 18 digits are a division whose remainder is known and which is rounded
@@ -29,7 +29,7 @@ public final class Decimals {
    *
    * @return NaN if it is not a number of this form; infinite if it is beyond the doubles
    */
-  static double parse(byte[] text, int from, int to) {
+  public static double parse(byte[] text, int from, int to) {
     int i = from;
     boolean negative = i < to && text[i] == '-';
     if (negative || (i < to && text[i] == '+')) {
@@ -102,24 +102,48 @@ public final class Decimals {
   }
 
   private static double library(byte[] text, int from, int to) {
-    return Double.parseDouble(new String(text, from, to - from, StandardCharsets.US_ASCII));
+    StringBuilder ascii = new StringBuilder(to - from);
+    for (int i = from; i < to; i++) {
+      ascii.append((char) text[i]);
+    }
+    return Double.parseDouble(ascii.toString());
   }
 
   /** {@link #parse(byte[], int, int)} of a string. */
-  static double parse(String text) {
-    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+  public static double parse(String text) {
+    byte[] bytes = new byte[text.length()];
+    for (int i = 0; i < bytes.length; i++) {
+      char c = text.charAt(i);
+      bytes[i] = c < 0x80 ? (byte) c : -1; // no number has a character beyond ASCII
+    }
     return parse(bytes, 0, bytes.length);
   }
 
-  /** The shortest decimal that is read back as this finite number; whole numbers have no point. */
+  /**
+   * The shortest decimal that is read back as this number; whole numbers have no point. The same on
+   * every JDK.
+   */
   public static String format(double value) {
     StringBuilder text = new StringBuilder(24);
     append(text, value);
     return text.toString();
   }
 
+  /**
+   * The number rounded to at most two places, half to even, without exponent: as pictures that are
+   * text need it.
+   */
+  public static String rounded(double value) {
+    BigDecimal rounded = new BigDecimal(format(value)).setScale(2, RoundingMode.HALF_EVEN);
+    return rounded.stripTrailingZeros().toPlainString();
+  }
+
   /** Appends {@link #format} of the value. */
-  static void append(StringBuilder text, double value) {
+  public static void append(StringBuilder text, double value) {
+    if (!Double.isFinite(value)) {
+      text.append(value);
+      return;
+    }
     double size = Math.abs(value);
     if (value < 0) {
       text.append('-');
@@ -151,7 +175,7 @@ public final class Decimals {
     if (size < 1e-5 || size >= EXACT) {
       return false;
     }
-    int exponent = (int) Math.floor(Math.log10(size));
+    int exponent = (int) Math.floor(StrictMath.log10(size));
     for (int places = 14 - exponent; places <= 16 - exponent; places++) {
       long scaled = nearest(size, Math.max(places, 0));
       if (quotient(scaled, Math.max(places, 0)) == size) {
