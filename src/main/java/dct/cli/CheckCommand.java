@@ -1,9 +1,8 @@
 package dct.cli;
 
-import dct.core.geometry.SimplePolygon;
-import dct.core.geometry.Sites;
+import dct.core.Progress;
+import dct.problem.Instance;
 import java.io.IOException;
-import java.util.Locale;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct check}: whether an input can be triangulated. */
@@ -22,23 +21,10 @@ final class CheckCommand extends Verb {
 
   @Override
   public Integer call() throws IOException {
-    Shape shape = Shape.of(input.read());
+    Instance instance = input.instance(Progress.NONE);
     if (!isSet(quiet)) {
-      String found = shape.polygon() != null ? found(shape.polygon()) : found(shape.sites());
-      console().print(input.name() + ": " + found);
+      console().print(input.name() + ": " + instance.description());
     }
     return CommandLineProgram.DONE;
-  }
-
-  private static String found(SimplePolygon polygon) {
-    return String.format(
-        Locale.ROOT,
-        "a simple polygon with %d vertices, %s",
-        polygon.size(),
-        polygon.isClockwise() ? "clockwise" : "counter-clockwise");
-  }
-
-  private static String found(Sites sites) {
-    return sites.size() + " usable sites" + Summary.merged(sites.merged());
   }
 }

@@ -31,6 +31,12 @@ public final class CommandLineProgram {
   /** An input cannot be used. */
   public static final int BAD_INPUT = 3;
 
+  /** A result that was to be verified says something false. */
+  public static final int FALSE_RESULT = 4;
+
+  /** A result that was to be verified claims something that cannot be recomputed. */
+  public static final int OPEN_RESULT = 5;
+
   static final int HELP_WIDTH = 100;
 
   private static final List<String> VERBS =

@@ -1,18 +1,26 @@
 package dct.cli;
 
+import dct.core.Progress;
+import dct.io.FileEnding;
 import dct.io.PointDocument;
+import dct.problem.Solution;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** {@code dct convert}: the same points in another format. */
+/** {@code dct convert}: the same points, or the same result, in another format. */
 final class ConvertCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec output =
       outputs(true, "Where to: " + endings() + "; - is text on standard output. May repeat.");
 
   ConvertCommand(Console console) {
-    super(console, "Writes the points of a file in another format. They need not be a polygon.");
+    super(
+        console,
+        "Writes a file in another format.",
+        "The points need not be a polygon. The triangulation of a result is kept where the format"
+            + " can hold one.");
   }
 
   @Override
@@ -20,9 +28,23 @@ final class ConvertCommand extends Verb {
     List<String> outputs = outputsOf(output);
     PointDocument document = input.read();
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
+    Optional<Solution> solution = document.solution(Progress.NONE);
     for (String file : outputs) {
-      PointOutput.write(document, file, console());
+      if (solution.isEmpty() || holdsPointsAlone(file)) {
+        PointOutput.write(document, file, console());
+      } else {
+        SolutionOutput.write(solution.get(), Optional.empty(), file, console());
+      }
+      if (solution.isPresent() && holdsPointsAlone(file)) {
+        console()
+            .err()
+            .println(file + ": holds the points alone; the triangulation is left out, use .json");
+      }
     }
     return CommandLineProgram.DONE;
+  }
+
+  private static boolean holdsPointsAlone(String file) {
+    return file.equals(STANDARD_STREAM) || ending(file) == FileEnding.TXT;
   }
 }

@@ -1,10 +1,11 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.BadInputException;
-import dct.io.DomainWord;
 import dct.io.PointDocument;
 import dct.io.PointFile;
+import dct.problem.Instance;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -54,6 +55,15 @@ final class InputParameters {
   }
 
   /**
+   * Reads the input and judges its points; it has the name that the user gave.
+   *
+   * @throws BadInputException if they are not usable
+   */
+  Instance instance(Progress progress) throws IOException {
+    return read().instance(progress).named(name());
+  }
+
+  /**
    * The path of this name.
    *
    * @throws BadInputException if it is empty or no file can have it
@@ -75,7 +85,7 @@ final class InputParameters {
     if (word == null) {
       return Optional.empty();
     }
-    Optional<Domain> domain = DomainWord.parse(word);
+    Optional<Domain> domain = Domain.parse(word);
     if (domain.isEmpty()) {
       throw UsageException.unknown("--as", word, List.of("polygon", "points"));
     }

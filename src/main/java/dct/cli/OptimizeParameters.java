@@ -1,14 +1,10 @@
 package dct.cli;
 
-import dct.core.Progress;
-import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
-import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
 import dct.io.BadInputException;
 import dct.io.WishFile;
+import dct.problem.Instance;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -67,12 +63,9 @@ final class OptimizeParameters {
     }
   }
 
-  /** The best triangulation of the shape, from this one. */
-  Optimum optimize(Shape shape, Triangulation made) {
-    ParityGoal wished = wished(made.vertexCount());
-    return shape.domain() == Domain.POLYGON
-        ? BestTriangulation.of(shape.polygon(), wished, limits(), Progress.NONE)
-        : BestTriangulation.of(made, wished, limits(), Progress.NONE);
+  /** The instance with what the user wishes of its vertices. */
+  Instance wishedOf(Instance instance) {
+    return instance.with(wished(instance.size()));
   }
 
   private ParityGoal wished(int n) {
@@ -94,7 +87,8 @@ final class OptimizeParameters {
     return file;
   }
 
-  private SearchLimits limits() {
+  /** How long to look for it. */
+  SearchLimits limits() {
     SearchLimits usual = SearchLimits.DEFAULT;
     Long number = seed.getValue();
     Double seconds = timeLimit.getValue();

@@ -1,6 +1,6 @@
 package dct.cli;
 
-import dct.core.geometry.SimplePolygon;
+import dct.core.Progress;
 import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.SiteShape;
 import dct.experiment.study.PointsStudy;
@@ -10,6 +10,7 @@ import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;
 import dct.experiment.study.ThesisTable;
 import dct.io.PointFile;
+import dct.problem.Instance;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -142,10 +143,10 @@ final class StudyParameters {
     return Objects.requireNonNullElse(names, List.of());
   }
 
-  private Map<String, SimplePolygon> polygonFiles() throws IOException {
-    Map<String, SimplePolygon> polygons = new LinkedHashMap<>();
+  private Map<String, Instance.OfPolygon> polygonFiles() {
+    Map<String, Instance.OfPolygon> polygons = new LinkedHashMap<>();
     for (String name : fileNames()) {
-      polygons.put(name, PointFile.read(InputParameters.path(name)).polygon());
+      polygons.put(name, PointFile.read(InputParameters.path(name)).polygon(Progress.NONE));
     }
     return polygons;
   }

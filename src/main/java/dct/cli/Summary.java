@@ -5,61 +5,53 @@ import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
-import dct.io.Result;
+import dct.problem.Instance;
+import dct.problem.Solution;
 import java.util.Locale;
+import java.util.Optional;
 
-/** A result in a few lines for a person. */
+/** A solution in a few lines for a person. */
 final class Summary {
   private Summary() {}
 
-  static String of(Result result) {
-    StringBuilder text = new StringBuilder(what(result));
-    result
-        .post()
-        .ifPresent(
-            post ->
-                text.append("\nbefore: ")
-                    .append(counts(post.before()))
-                    .append("\nafter ")
-                    .append(post.flips() == 1 ? "1 flip" : post.flips() + " flips")
-                    .append(':'));
-    text.append(result.post().isPresent() ? " " : "\n").append(counts(result.degrees()));
-    return text.append(bound(result)).toString();
+  static String of(Solution solution) {
+    StringBuilder text = new StringBuilder(what(solution)).append('\n');
+    Optional<DegreeCount> before = solution.countsBefore();
+    if (before.isPresent()) {
+      int flips = solution.flips().orElseThrow().flips();
+      text.append("before: ").append(counts(before.get())).append("\nafter ");
+      text.append(flips).append(flips == 1 ? " flip: " : " flips: ");
+    }
+    return text.append(counts(solution.counts())).append(bound(solution)).toString();
   }
 
-  private static String what(Result result) {
-    Triangulation made = result.triangulation();
+  private static String what(Solution solution) {
+    Instance instance = solution.instance();
+    Triangulation made = solution.triangulation();
     return String.format(
         Locale.ROOT,
         "%s: %d %s%s, %s: %d edges, %d triangles",
-        result.input(),
-        made.vertexCount(),
-        made.domain() == Domain.POLYGON ? "vertices" : "sites",
-        merged(result.merged()),
-        result.algorithm(),
+        instance.name(),
+        instance.size(),
+        instance.domain() == Domain.POLYGON ? "vertices" : "sites",
+        instance.mergedRemark(),
+        solution.method().word(),
         made.edgeCount(),
         made.triangleCount());
-  }
-
-  /** A remark on merged duplicates, empty if there were none. */
-  static String merged(int merged) {
-    return merged == 0
-        ? ""
-        : String.format(Locale.ROOT, " (%d duplicate%s merged)", merged, merged == 1 ? "" : "s");
   }
 
   private static String counts(DegreeCount count) {
     return count.even() + " even, " + count.odd() + " odd";
   }
 
-  private static String bound(Result result) {
-    if (result.optimum().isPresent()) {
-      return bound(result.optimum().get());
+  private static String bound(Solution solution) {
+    if (solution.optimum().isPresent()) {
+      return bound(solution.optimum().get());
     }
-    if (result.isOptimal()) {
+    if (solution.isProven()) {
       return "; no triangulation has fewer odd vertices";
     }
-    int bound = result.oddLowerBound();
+    int bound = solution.oddBound().value();
     return bound == 0 ? "" : "; every triangulation has " + bound + " or more odd vertices";
   }
 

@@ -1,16 +1,13 @@
 package dct.cli;
 
 import dct.core.Progress;
-import dct.core.degree.DegreeCount;
-import dct.core.degree.FlipResult;
-import dct.core.degree.Optimum;
-import dct.core.degree.ScanFlip;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
-import dct.io.Result;
 import dct.io.ResultJson;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -52,49 +49,56 @@ final class TriangulateCommand extends Verb {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
     optimize.check(isSet(flip));
-    ResultOutput made = make();
+    Made made = make();
     for (String file : outputs) {
-      made.write(file, console());
+      SolutionOutput.write(made.solution, made.millis, file, console());
     }
     if (isSet(json)) {
-      console().print(ResultJson.summary(made.result()));
+      console().print(ResultJson.summary(made.solution, made.millis));
     } else if (!isSet(quiet) && !printsResult) {
-      console().print(Summary.of(made.result()));
+      console().print(Summary.of(made.solution));
     }
     return CommandLineProgram.DONE;
   }
 
-  private ResultOutput make() throws IOException {
+  /** A solution and how long its steps took. */
+  private record Made(Solution solution, Optional<ResultJson.Millis> millis) {}
+
+  private Made make() throws IOException {
     Stopwatch watch = new Stopwatch();
-    Shape shape = Shape.of(input.read());
-    checkNames(outputsOf(output), shape.domain());
+    Instance instance = input.instance(Progress.NONE);
+    checkNames(outputsOf(output), instance.domain());
     double read = watch.lap();
-    Algorithm chosen = chosen(shape.domain());
-    Triangulation made = chosen.triangulate(shape);
+    Method chosen = chosen(instance.domain());
+    Instance asked = optimize.isAsked() ? optimize.wishedOf(instance) : instance;
+    Solution made = Solution.of(asked, chosen, Progress.NONE);
     double triangulate = watch.lap();
-    Optional<FlipResult> flipped =
-        isSet(flip) ? Optional.of(ScanFlip.run(made, Progress.NONE)) : Optional.empty();
-    Optional<Optimum> best =
-        optimize.isAsked() ? Optional.of(optimize.optimize(shape, made)) : Optional.empty();
-    double post = flipped.isPresent() || best.isPresent() ? watch.lap() : 0;
-    Result result =
-        new Result(
-            input.name(),
-            chosen.word(),
-            best.map(Optimum::triangulation).or(() -> flipped.map(FlipResult::after)).orElse(made),
-            flipped.map(TriangulateCommand::post),
-            best,
-            shape.merged(),
-            new Result.Millis(read, triangulate, post));
-    return new ResultOutput(result, flipped);
+    Solution solution = post(made);
+    double post = isSet(flip) || optimize.isAsked() ? watch.lap() : 0;
+    return new Made(solution, Optional.of(new ResultJson.Millis(read, triangulate, post)));
   }
 
-  private static Result.Post post(FlipResult flipped) {
-    return new Result.Post("flip", DegreeCount.of(flipped.before()), flipped.flips());
+  private Solution post(Solution made) {
+    if (isSet(flip)) {
+      return made.flipped(Progress.NONE);
+    }
+    return optimize.isAsked() ? made.optimized(optimize.limits(), Progress.NONE) : made;
   }
 
-  private Algorithm chosen(Domain domain) {
+  private Method chosen(Domain domain) {
     String word = algorithm.getValue();
-    return word == null ? Algorithm.byDefault(domain) : Algorithm.of(word, domain);
+    return word == null
+        ? Method.byDefault(domain)
+        : Method.of(domain, word)
+            .orElseThrow(
+                () ->
+                    new UsageException(
+                        "--algorithm "
+                            + word
+                            + " is none for "
+                            + (domain == Domain.POLYGON ? "a polygon" : "points")
+                            + Spelling.hint(word, List.of(Method.words(domain).split(", ")))
+                            + ", use "
+                            + Method.words(domain)));
   }
 }

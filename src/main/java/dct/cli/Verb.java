@@ -4,6 +4,7 @@ import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.io.FileNames;
+import dct.problem.Solution;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -45,13 +46,8 @@ abstract class Verb implements Callable<Integer> {
             .versionHelp(true)
             .description("Show the version and exit.")
             .build());
-    spec.version(version());
+    spec.version("dct " + Solution.programVersion() + ", Apache License 2.0");
     spec.usageMessage().sortOptions(false).width(CommandLineProgram.HELP_WIDTH);
-  }
-
-  private static String version() {
-    String version = Verb.class.getPackage().getImplementationVersion();
-    return "dct " + (version == null ? "(not from a jar)" : version) + ", Apache License 2.0";
   }
 
   final CommandSpec spec() {

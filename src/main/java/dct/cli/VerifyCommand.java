@@ -1,16 +1,38 @@
 package dct.cli;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import dct.core.Progress;
+import dct.core.triangulate.Domain;
+import dct.io.BadInputException;
+import dct.io.PointDocument;
+import dct.io.PointFile;
 import dct.io.ResultJson;
-import dct.io.StoredResult;
+import dct.problem.Instance;
+import dct.problem.verify.Claims;
+import dct.problem.verify.Verdict;
+import dct.problem.verify.Verdict.Check;
+import dct.problem.verify.Verdict.Outcome;
+import dct.problem.verify.Verifier;
 import java.io.IOException;
 import java.util.Locale;
+import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** {@code dct verify}: whether a result file tells the truth. */
 final class VerifyCommand extends Verb {
+  private static final String CURE = "; make the result again from its input";
+
   private final PositionalParamSpec result =
       parameter("RESULT.json", "The result; - is standard input.");
+  private final OptionSpec inputFile =
+      option(
+          "--input",
+          "FILE",
+          String.class,
+          "Compare its points, and how many duplicates were merged, with this input.");
+  private final OptionSpec json = flag("--json", "Print the checks as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print nothing; the exit status tells.");
 
   VerifyCommand(Console console) {
@@ -18,8 +40,10 @@ final class VerifyCommand extends Verb {
         console,
         "Checks a result independently.",
         "Takes a whole result (triangulate -o RESULT.json) and believes nothing in it: planar,"
-            + " covers the domain, degrees recounted, flips undone and recounted, Delaunay where"
-            + " claimed, the lower bound recomputed; or it says that it could not be.");
+            + " covers the domain, degrees recounted, flips undone and recounted, Delaunay or cut"
+            + " into convex or monotone pieces where claimed, the lower bound recomputed.",
+        "Exit status: 0 everything claimed was recomputed, 4 something is false, 5 something claimed"
+            + " cannot be recomputed.");
   }
 
   @Override
@@ -30,24 +54,79 @@ final class VerifyCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     String name = result.getValue();
-    StoredResult stored =
-        name.equals("-")
+    Claims claims =
+        name.equals(STANDARD_STREAM)
             ? ResultJson.read(name, console().in())
             : ResultJson.read(InputParameters.path(name));
-    String remark = ResultVerifier.verify(stored);
-    if (!isSet(quiet)) {
-      console()
-          .print(
-              String.format(
-                  Locale.ROOT,
-                  "%s: true, %s, %d vertices, %d even, %d odd%s",
-                  name,
-                  stored.text("algorithm").orElseThrow(),
-                  stored.points().size(),
-                  stored.whole("even").orElseThrow(),
-                  stored.whole("odd").orElseThrow(),
-                  remark));
+    Verdict verdict = Verifier.verify(claims, input(claims), Progress.NONE);
+    if (isSet(json)) {
+      console().print(json(name, verdict).toString());
+    } else if (!isSet(quiet)) {
+      print(claims, verdict);
     }
-    return CommandLineProgram.DONE;
+    return switch (verdict.outcome()) {
+      case TRUE -> CommandLineProgram.DONE;
+      case FALSE -> CommandLineProgram.FALSE_RESULT;
+      case OPEN -> CommandLineProgram.OPEN_RESULT;
+    };
+  }
+
+  private Optional<Instance> input(Claims claims) {
+    String file = inputFile.getValue();
+    if (file == null) {
+      return Optional.empty();
+    }
+    PointDocument document = PointFile.read(InputParameters.path(file));
+    return Optional.of(
+        (document.declared().isEmpty()
+                ? claims.domain().map(document::declared).orElse(document)
+                : document)
+            .instance(Progress.NONE));
+  }
+
+  private void print(Claims claims, Verdict verdict) throws IOException {
+    String name = claims.source();
+    Optional<Check> fault = verdict.first(Outcome.FALSE);
+    if (fault.isPresent()) {
+      Check check = fault.get();
+      String sentence = check.detail() + CURE;
+      console().err().println(new BadInputException(name, check.line(), sentence).getMessage());
+      return;
+    }
+    StringBuilder text = new StringBuilder(name).append(": ");
+    text.append(
+        verdict.outcome() == Outcome.TRUE ? "verified: " : "true as far as it could be verified: ");
+    text.append(claims.points().size());
+    text.append(claims.domain().orElseThrow() == Domain.POLYGON ? " vertices" : " sites");
+    text.append(" triangulated by ").append(claims.text("algorithm").orElseThrow());
+    text.append(", ").append(claims.whole("even").orElseThrow()).append(" even");
+    text.append(", ").append(claims.whole("odd").orElseThrow()).append(" odd");
+    for (Check check : verdict.checks()) {
+      text.append(check.detail().isEmpty() ? "" : "; " + check.detail());
+    }
+    console().print(text.toString());
+  }
+
+  private static JsonObject json(String name, Verdict verdict) {
+    JsonArray checks = new JsonArray();
+    for (Check check : verdict.checks()) {
+      JsonObject each = new JsonObject();
+      each.addProperty("what", check.what());
+      each.addProperty("outcome", word(check.outcome()));
+      each.addProperty("detail", check.detail());
+      if (check.outcome() == Outcome.FALSE) {
+        each.addProperty("line", check.line());
+      }
+      checks.add(each);
+    }
+    JsonObject object = new JsonObject();
+    object.addProperty("result", name);
+    object.addProperty("verdict", word(verdict.outcome()));
+    object.add("checks", checks);
+    return object;
+  }
+
+  private static String word(Outcome outcome) {
+    return outcome.name().toLowerCase(Locale.ROOT);
   }
 }

@@ -66,8 +66,8 @@ public final class FileNames {
                     Locale.ROOT,
                     "%s would be read as %s, but this is %s; name it %s",
                     typed,
-                    DomainWord.of(said),
-                    DomainWord.of(domain),
+                    said.word(),
+                    domain.word(),
                     forSaving(typed, domain)));
   }
 

@@ -5,7 +5,10 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
 import dct.core.Decimals;
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
+import dct.problem.verify.ClaimedEdges;
+import dct.problem.verify.Claims;
 import java.io.BufferedReader;
 import java.io.EOFException;
 import java.io.IOException;
@@ -36,7 +39,7 @@ final class JsonText {
   private final JsonReader json;
   private final Map<String, Object> values = new HashMap<>();
   private PointColumns points;
-  private EdgeColumns edges;
+  private ClaimedEdges edges;
   private boolean ended; // the object is closed
 
   private JsonText(String name, InputStream in) {
@@ -53,7 +56,7 @@ final class JsonText {
    *
    * @throws BadInputException at the first place that is wrong
    */
-  static StoredResult read(String name, InputStream in) throws IOException {
+  static Claims read(String name, InputStream in) throws IOException {
     JsonText text = new JsonText(name, in);
     try {
       return text.result();
@@ -71,7 +74,7 @@ final class JsonText {
     return path.equals("$") ? "" : ", at " + path.substring(path.startsWith("$.") ? 2 : 1);
   }
 
-  private StoredResult result() throws IOException {
+  private Claims result() throws IOException {
     require(JsonToken.BEGIN_OBJECT, "this is not a JSON object; " + FORM + " inside { }");
     json.beginObject();
     while (json.hasNext()) {
@@ -80,10 +83,18 @@ final class JsonText {
     json.endObject();
     ended = true;
     require(JsonToken.END_DOCUMENT, FOLLOWED);
+    if (!values.getOrDefault("format", ResultJson.FORMAT).equals(ResultJson.FORMAT)) {
+      throw fault(
+          "the format is "
+              + LineFault.shown(values.get("format").toString())
+              + " and not "
+              + ResultJson.FORMAT
+              + "; read it with the version of the program that wrote it");
+    }
     if (points == null) {
       throw fault("there is no field \"points\"; " + FORM);
     }
-    return new StoredResult(name, Map.copyOf(values), points.points(), points.lines(), edges);
+    return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges);
   }
 
   private void field(String field) throws IOException {
@@ -104,7 +115,7 @@ final class JsonText {
     String cure = "write \"kind\": \"polygon\" or \"kind\": \"points\"";
     require(JsonToken.STRING, "\"kind\" is not a text; " + cure);
     String kind = json.nextString();
-    if (DomainWord.parse(kind).isEmpty()) {
+    if (Domain.parse(kind).isEmpty()) {
       throw fault("\"" + LineFault.shown(kind) + "\" is not a kind of input; " + cure);
     }
     values.put("kind", kind);
@@ -148,7 +159,7 @@ final class JsonText {
   }
 
   private void readEdges() throws IOException {
-    edges = new EdgeColumns();
+    edges = new ClaimedEdges();
     require(JsonToken.BEGIN_ARRAY, "\"edgeList\" is not a list; " + EDGE_FORM);
     json.beginArray();
     while (json.hasNext()) {

@@ -4,29 +4,42 @@ import dct.core.Progress;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
-import dct.core.geometry.SimplePolygon;
-import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
+import dct.problem.Instance;
+import dct.problem.Solution;
+import dct.problem.verify.Claims;
+import dct.problem.verify.FalseClaim;
+import dct.problem.verify.Restoration;
 import java.util.Arrays;
 import java.util.Optional;
 
 /**
  * What a file of points holds, and where in the file each point stands; immutable.
  *
- * <p>The points are finite numbers, no more has been checked: {@link #polygon} and {@link #sites}
- * do that.
+ * <p>The points are finite numbers, no more has been checked: {@link #instance} does that.
  */
 public final class PointDocument {
   private final String source;
   private final Optional<Domain> declared;
   private final Points points;
   private final int[] lines; // the line of each point
+  private final Optional<Claims> result; // if the file holds a triangulation too
 
   PointDocument(String source, Optional<Domain> declared, Points points, int[] lines) {
+    this(source, declared, points, lines, Optional.empty());
+  }
+
+  private PointDocument(
+      String source,
+      Optional<Domain> declared,
+      Points points,
+      int[] lines,
+      Optional<Claims> result) {
     this.source = source;
     this.declared = declared;
     this.points = points;
     this.lines = lines;
+    this.result = result;
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
@@ -36,9 +49,24 @@ public final class PointDocument {
     return new PointDocument(source, Optional.of(domain), points, lines);
   }
 
-  /** The same points, said to be of this domain. */
+  /** What a file of the program's own JSON says. */
+  static PointDocument of(Claims claims) {
+    return new PointDocument(
+        claims.source(),
+        claims.domain(),
+        claims.points(),
+        claims.lines(),
+        Optional.of(claims).filter(Claims::hasEdges));
+  }
+
+  /** The same points, said to be of this domain; a triangulation of another is left out. */
   public PointDocument declared(Domain domain) {
-    return new PointDocument(source, Optional.of(domain), points, lines);
+    return new PointDocument(
+        source,
+        Optional.of(domain),
+        points,
+        lines,
+        result.filter(claims -> claims.domain().equals(Optional.of(domain))));
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */
@@ -62,54 +90,56 @@ public final class PointDocument {
   }
 
   /**
-   * The points as a polygon, in O(n log n).
+   * The points as an instance; points that are not said to be sites have to be a polygon.
+   *
+   * @throws BadInputException if they are not usable
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public Instance instance(Progress progress) {
+    try {
+      return Instance.of(declared.orElse(Domain.POLYGON), source, points, progress);
+    } catch (InvalidGeometryException e) {
+      throw declared.isEmpty() && couldBeSites(progress)
+          ? bad(e.defect(), ", or read the file as sites with --as points")
+          : bad(e.defect(), "");
+    }
+  }
+
+  /**
+   * The points as a polygon, whatever they are said to be.
    *
    * @throws BadInputException if they do not bound a simple polygon
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public SimplePolygon polygon() {
+  public Instance.OfPolygon polygon(Progress progress) {
+    return (Instance.OfPolygon) declared(Domain.POLYGON).instance(progress);
+  }
+
+  /**
+   * The solution that the file holds, if it holds more than points.
+   *
+   * @throws BadInputException if its edges are no triangulation of its points
+   */
+  public Optional<Solution> solution(Progress progress) {
     try {
-      return SimplePolygon.of(points, Progress.NONE);
+      return result.map(claims -> Restoration.of(claims, progress));
+    } catch (FalseClaim e) {
+      throw new BadInputException(
+          source, e.line(), e.getMessage() + "; make the result again from its input");
+    }
+  }
+
+  private boolean couldBeSites(Progress progress) {
+    try {
+      Instance.of(Domain.SITES, source, points, progress);
+      return true;
     } catch (InvalidGeometryException e) {
-      throw bad(e.defect());
+      return false;
     }
   }
 
-  /**
-   * The points as sites, duplicates merged, in O(n log n).
-   *
-   * @throws BadInputException if there are fewer than three points
-   */
-  public Sites sites() {
-    if (points.size() < 3) {
-      throw bad(new Defect(Defect.Kind.TOO_FEW, 0, 0, 0, 0, points.size()));
-    }
-    return Sites.of(points, Progress.NONE);
-  }
-
-  /**
-   * The points as sites that have a triangulation.
-   *
-   * @throws BadInputException if there are fewer than three points, or all lie on one line
-   */
-  public Sites sitesNotOnOneLine() {
-    Sites sites = sites();
-    if (areOnOneLine(sites.points())) {
-      throw bad(new Defect(Defect.Kind.COLLINEAR, 0, 0, points.x(0), points.y(0), points.size()));
-    }
-    return sites;
-  }
-
-  private static boolean areOnOneLine(Points sites) {
-    for (int i = 2; i < sites.size(); i++) {
-      if (sites.orient(0, 1, i) != 0) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private BadInputException bad(Defect defect) {
-    return new BadInputException(source, lineOf(defect), defect.message());
+  private BadInputException bad(Defect defect, String hint) {
+    return new BadInputException(source, lineOf(defect), defect.message() + hint);
   }
 
   private int lineOf(Defect defect) {
@@ -117,7 +147,7 @@ public final class PointDocument {
       return 1;
     }
     return switch (defect.kind()) {
-      case TOO_FEW -> lines[points.size() - 1];
+      case TOO_FEW, FEW_SITES -> lines[points.size() - 1];
       case DUPLICATE -> lines[Math.max(defect.first(), defect.second())]; // the one to remove
       default -> lines[defect.first()];
     };

@@ -70,7 +70,7 @@ public final class PointFile {
   public static PointDocument read(String name, InputStream in) throws IOException {
     BufferedInputStream buffered = new BufferedInputStream(in, LOOK_AHEAD);
     return startsAsJson(buffered)
-        ? JsonText.read(name, buffered).document()
+        ? PointDocument.of(JsonText.read(name, buffered))
         : VertexText.read(name, buffered);
   }
 

@@ -5,9 +5,13 @@ import com.google.gson.stream.JsonWriter;
 import dct.core.Decimals;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
+import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.problem.Solution;
+import dct.problem.verify.Claims;
+import dct.problem.verify.WishLetters;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.InputStream;
@@ -19,6 +23,7 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * Results as JSON: the summary alone, or with all points and edges.
@@ -27,6 +32,7 @@ import java.util.Locale;
  * of points has a point a line, the list of edges an edge a line.
  */
 public final class ResultJson {
+  static final String FORMAT = "dct-result/1";
   private static final FormattingStyle SPACED =
       FormattingStyle.COMPACT.withSpaceAfterSeparators(true);
 
@@ -39,16 +45,23 @@ public final class ResultJson {
     json.setHtmlSafe(false);
   }
 
+  /** Milliseconds for reading, for the method and for what came after it. */
+  public record Millis(double read, double triangulate, double post) {}
+
   /** A use of the writer inside the one object of a file. */
   private interface Fields {
     void write(ResultJson json) throws IOException;
   }
 
-  /** The summary as one line without its end. */
-  public static String summary(Result result) {
+  /**
+   * The summary as one line without its end.
+   *
+   * @param millis how long the steps took, if that is known
+   */
+  public static String summary(Solution solution, Optional<Millis> millis) {
     StringWriter out = new StringWriter();
     try {
-      write(out, json -> json.summaryFields(result));
+      write(out, json -> json.summaryFields(solution, millis));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -60,18 +73,23 @@ public final class ResultJson {
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, Result result) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, result));
+  public static void write(Path file, Solution solution, Optional<Millis> millis)
+      throws CannotWriteException {
+    AtomicFile.write(file, out -> write(out, solution, millis));
   }
 
   /** Writes the whole result to a stream. */
-  public static void write(OutputStream out, Result result) throws IOException {
+  public static void write(OutputStream out, Solution solution, Optional<Millis> millis)
+      throws IOException {
     write(
         out,
         json -> {
-          json.summaryFields(result);
-          json.points(result.triangulation().points());
-          json.edges(result.triangulation());
+          json.json.name("format").value(FORMAT);
+          json.json.name("version").value(Solution.programVersion());
+          json.summaryFields(solution, millis);
+          json.searchFields(solution);
+          json.points(solution.instance().points());
+          json.edges(solution.triangulation());
         });
   }
 
@@ -90,7 +108,7 @@ public final class ResultJson {
         out,
         json -> {
           if (document.declared().isPresent()) {
-            json.json.name("kind").value(DomainWord.of(document.declared().get()));
+            json.json.name("kind").value(document.declared().get().word());
           }
           json.points(document.points());
         });
@@ -101,7 +119,7 @@ public final class ResultJson {
    *
    * @throws BadInputException if there is none in the file
    */
-  public static StoredResult read(Path file) {
+  public static Claims read(Path file) {
     return PointFile.open(file, ResultJson::read);
   }
 
@@ -111,7 +129,7 @@ public final class ResultJson {
    * @param name what messages call it, "-" for standard input
    * @throws BadInputException if there is none
    */
-  public static StoredResult read(String name, InputStream in) throws IOException {
+  public static Claims read(String name, InputStream in) throws IOException {
     return JsonText.read(name, in);
   }
 
@@ -135,42 +153,45 @@ public final class ResultJson {
     json.json.endObject();
   }
 
-  private void summaryFields(Result result) throws IOException {
-    Triangulation triangulation = result.triangulation();
-    DegreeCount degrees = result.degrees();
-    json.name("input").value(result.input());
-    json.name("kind").value(DomainWord.of(triangulation.domain()));
-    json.name("algorithm").value(result.algorithm());
-    json.name("post").value(post(result));
+  private void summaryFields(Solution solution, Optional<Millis> millis) throws IOException {
+    Triangulation triangulation = solution.triangulation();
+    DegreeCount degrees = solution.counts();
+    json.name("input").value(solution.instance().name());
+    json.name("kind").value(solution.instance().domain().word());
+    json.name("algorithm").value(solution.method().word());
+    json.name("post").value(post(solution));
     json.name("vertices").value(triangulation.vertexCount());
     json.name("edges").value(triangulation.edgeCount());
     json.name("triangles").value(triangulation.triangleCount());
     json.name("boundary").value(triangulation.boundaryCount());
     json.name("even").value(degrees.even());
     json.name("odd").value(degrees.odd());
-    if (result.post().isPresent()) {
-      postFields(result.post().get());
+    if (solution.flips().isPresent()) {
+      flipFields(solution);
     }
-    json.name("oddLowerBound").value(result.oddLowerBound());
-    json.name("optimal").value(result.isOptimal());
-    if (result.optimum().isPresent()) {
-      optimumFields(result);
+    json.name("oddLowerBound").value(solution.oddBound().value());
+    json.name("optimal").value(solution.isProven());
+    if (solution.optimum().isPresent()) {
+      optimumFields(solution);
     }
-    json.name("merged").value(result.merged());
-    millis(result.millis());
+    json.name("merged").value(solution.instance().merged());
+    if (millis.isPresent()) {
+      millis(millis.get());
+    }
   }
 
-  private static String post(Result result) {
-    return result.optimum().isPresent()
-        ? "optimize"
-        : result.post().map(Result.Post::name).orElse("none");
+  private static String post(Solution solution) {
+    if (solution.optimum().isPresent()) {
+      return "optimize";
+    }
+    return solution.flips().isPresent() ? "flip" : "none";
   }
 
-  private void optimumFields(Result result) throws IOException {
-    Optimum optimum = result.optimum().get();
+  private void optimumFields(Solution solution) throws IOException {
+    Optimum optimum = solution.optimum().get();
     json.name("boundReason").value(optimum.bound().reason());
     json.name("interrupted").value(optimum.interrupted());
-    if (result.wished().isPresent()) {
+    if (solution.wished().isPresent()) {
       json.name("satisfied").value(optimum.goal().size() - optimum.unsatisfied());
       json.name("unsatisfied").value(optimum.unsatisfied());
       json.name("unsatisfiedLowerBound").value(optimum.bound().value());
@@ -178,13 +199,25 @@ public final class ResultJson {
     }
   }
 
-  private void postFields(Result.Post post) throws IOException {
-    json.name("evenBefore").value(post.before().even());
-    json.name("oddBefore").value(post.before().odd());
-    json.name("flips").value(post.flips());
+  private void flipFields(Solution solution) throws IOException {
+    DegreeCount before = solution.countsBefore().orElseThrow();
+    json.name("evenBefore").value(before.even());
+    json.name("oddBefore").value(before.odd());
+    json.name("flips").value(solution.flips().get().flips());
   }
 
-  private void millis(Result.Millis millis) throws IOException {
+  /** What a search was given, so that it can be repeated. */
+  private void searchFields(Solution solution) throws IOException {
+    if (solution.optimum().isPresent()) {
+      SearchLimits limits = solution.limits();
+      json.name("seed").value(limits.seed());
+      if (Double.isFinite(limits.seconds())) {
+        json.name("timeLimit").jsonValue(Decimals.format(limits.seconds()));
+      }
+    }
+  }
+
+  private void millis(Millis millis) throws IOException {
     json.name("millis").beginObject();
     json.name("read").jsonValue(tenths(millis.read()));
     json.name("triangulate").jsonValue(tenths(millis.triangulate()));

@@ -120,12 +120,12 @@ final class VertexText {
 
   private void readKind(String comment) {
     if (comment.startsWith(KIND)) {
-      kind = DomainWord.parse(comment.substring(KIND.length()).strip()).or(() -> kind);
+      kind = Domain.parse(comment.substring(KIND.length()).strip()).or(() -> kind);
     }
   }
 
   /** The comment line that says what the points are. */
   static String kindLine(Domain domain) {
-    return KIND + " " + DomainWord.of(domain);
+    return KIND + " " + domain.word();
   }
 }

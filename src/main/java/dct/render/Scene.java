@@ -10,6 +10,7 @@ import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.problem.Solution;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -87,8 +88,7 @@ public final class Scene {
     return of(triangulation, List.of(words(DegreeCount.of(triangulation))));
   }
 
-  /** A triangulation after flips, with the counts before and after. */
-  public static Scene of(FlipResult result) {
+  private static Scene of(FlipResult result) {
     return of(
         result.after(),
         List.of(
@@ -97,10 +97,18 @@ public final class Scene {
   }
 
   /**
-   * The best triangulation found, with its counts and what is proven of them; vertices that do not
-   * have the parity wished are ringed.
+   * A solution: its triangulation with the counts, those before the flips or what is proven of
+   * them. Vertices whose wish an optimum does not grant are ringed.
    */
-  public static Scene of(Optimum best) {
+  public static Scene of(Solution solution) {
+    return solution
+        .flips()
+        .map(Scene::of)
+        .or(() -> solution.optimum().map(Scene::of))
+        .orElseGet(() -> of(solution.triangulation()));
+  }
+
+  private static Scene of(Optimum best) {
     Triangulation triangulation = best.triangulation();
     Scene scene = of(triangulation, verdict(best));
     Scene ringed = new Scene(scene, scene.counts, unmet(best), Labels.NONE, null);
@@ -325,7 +333,7 @@ public final class Scene {
           layer.add(defect.second(), (defect.second() + 1) % n);
         }
         case TOUCH -> layer.add(defect.second(), (defect.second() + 1) % n);
-        case TOO_FEW, COLLINEAR, DUPLICATE, SPIKE -> {}
+        case TOO_FEW, COLLINEAR, FEW_SITES, SITES_ON_ONE_LINE, DUPLICATE, SPIKE -> {}
       }
     }
     return layer;

@@ -1,14 +1,13 @@
 package dct.ui;
 
 import dct.core.Progress;
-import dct.core.geometry.Points;
-import dct.core.geometry.SimplicityCheck;
-import dct.core.geometry.Sites;
+import dct.core.geometry.InvalidGeometryException;
 import dct.core.triangulate.Domain;
 import dct.io.CannotWriteException;
 import dct.io.FileNames;
 import dct.io.PointDocument;
 import dct.io.PointFile;
+import dct.problem.Instance;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import java.io.UncheckedIOException;
@@ -69,20 +68,19 @@ final class FileWork {
     Domain otherwise = workbench.domain().orElse(Domain.POLYGON);
     workbench
         .jobs()
-        .read("Reading " + typed.getFileName(), p -> read(typed, otherwise), this::offer);
+        .read(
+            "Reading " + typed.getFileName(),
+            progress -> read(typed, otherwise, progress),
+            this::offer);
     folder = Optional.ofNullable(typed.toAbsolutePath().getParent());
   }
 
-  private Read read(Path typed, Domain otherwise) {
+  private static Read read(Path typed, Domain otherwise, Progress progress) {
     PointDocument read = PointFile.read(typed);
     Domain domain = read.declared().orElse(otherwise);
-    Path file = FileNames.forOpening(typed);
-    String name = file.getFileName().toString();
-    if (domain == Domain.POLYGON) {
-      return new Read(new Document(domain, read.polygon().points()), name, 0);
-    }
-    Sites sites = read.sites();
-    return new Read(new Document(domain, sites.points()), name, sites.merged());
+    Instance instance = read.declared(domain).instance(progress);
+    String name = FileNames.forOpening(typed).getFileName().toString();
+    return new Read(new Document(domain, instance.points()), name, instance.merged());
   }
 
   /** Opens a sample. */
@@ -163,13 +161,7 @@ final class FileWork {
 
   /** A file that cannot be opened again is saved only if the user insists. */
   private boolean acceptsUnreadable(Document document) {
-    Points points = document.points();
-    Optional<String> fault =
-        document.domain() == Domain.POLYGON
-            ? SimplicityCheck.firstDefect(points, Progress.NONE).map(defect -> defect.message())
-            : points.size() < 3
-                ? Optional.of("there are fewer than three sites")
-                : Optional.empty();
+    Optional<String> fault = fault(document);
     return fault
         .map(
             sentence ->
@@ -179,6 +171,16 @@ final class FileWork {
                     "This cannot be opened again as it is: " + sentence + ". Save it all the same?",
                     "Save"))
         .orElse(true);
+  }
+
+  /** Why points cannot be triangulated, and so not be opened. */
+  private static Optional<String> fault(Document document) {
+    try {
+      document.instance("", Progress.NONE);
+      return Optional.empty();
+    } catch (InvalidGeometryException e) {
+      return Optional.of(e.defect().message());
+    }
   }
 
   private void save(Editor editor, Path file, Runnable then) {

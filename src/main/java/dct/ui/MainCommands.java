@@ -2,6 +2,7 @@ package dct.ui;
 
 import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Domain;
+import dct.problem.Method;
 import dct.ui.command.Command;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
@@ -10,19 +11,32 @@ import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntFunction;
 
 /** The commands of the main window that work on the documents. */
 final class MainCommands {
+  /** The methods that have a button, in the thesis's order. */
+  private static final List<Method> BUTTONS =
+      List.of(Method.CONVEX_EVEN, Method.CONVEX_ODD, Method.MONOTONE);
+
+  private static final Map<Method, String> KEYS =
+      Map.of(
+          Method.CONVEX_EVEN, "shift E",
+          Method.CONVEX_ODD, "shift O",
+          Method.MONOTONE, "shift M",
+          Method.EAR_CLIPPING, "shift C");
+
   private final Workbench workbench;
   private final PolygonResults polygons;
   private final SitesWork sites;
   private final List<Command> all = new ArrayList<>();
   private final Map<Domain, Command> applications = new EnumMap<>(Domain.class);
   private final Map<Tool, Command> tools = new LinkedHashMap<>();
-  private final Map<PolygonMethod, Command> methods = new EnumMap<>(PolygonMethod.class);
+  private final Map<Method, Command> methods = new EnumMap<>(Method.class);
   private final WishWork wishes;
   private final List<Command> goals = new ArrayList<>();
   private final Command undo;
@@ -100,12 +114,12 @@ final class MainCommands {
   }
 
   private void addMethods() {
-    for (PolygonMethod method : PolygonMethod.values()) {
+    for (Method method : Method.of(Domain.POLYGON)) {
       methods.put(
           method,
           add(
                   method.title(),
-                  method.key(),
+                  KEYS.get(method),
                   method.description(),
                   () -> polygons.triangulate(method))
               .enabledWhen(() -> isChosen(Domain.POLYGON)));
@@ -220,10 +234,18 @@ final class MainCommands {
   Map<Domain, List<Command>> buttons() {
     List<Command> ofPolygons = new ArrayList<>();
     ofPolygons.add(clear);
-    ofPolygons.addAll(methods.values());
+    BUTTONS.forEach(method -> ofPolygons.add(methods.get(method)));
     ofPolygons.add(flip);
     return Map.of(
         Domain.POLYGON, List.copyOf(ofPolygons), Domain.SITES, List.of(clear, flip, random));
+  }
+
+  /** The methods for polygons, those of the thesis's buttons first. */
+  List<Command> methods() {
+    Set<Command> ordered = new LinkedHashSet<>();
+    BUTTONS.forEach(method -> ordered.add(methods.get(method)));
+    ordered.addAll(methods.values());
+    return List.copyOf(ordered);
   }
 
   /** Brings names and enablement up to date. */

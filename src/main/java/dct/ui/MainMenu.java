@@ -102,6 +102,7 @@ final class MainMenu {
           }
         };
     menu.line();
+    commands.methods().forEach(add);
     commands.buttons().get(Domain.POLYGON).forEach(add);
     commands.buttons().get(Domain.SITES).forEach(add);
     menu.with(commands.randomPolygon());

@@ -1,16 +1,12 @@
 package dct.ui;
 
 import dct.core.Progress;
-import dct.core.degree.FlipResult;
-import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
-import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
-import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
+import dct.problem.Method;
+import dct.problem.Solution;
 import dct.render.Scene;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
@@ -28,24 +24,16 @@ final class PolygonResults {
   private final Workbench workbench;
   private final MainWindow owner;
   private final List<JFrame> frames = new ArrayList<>();
-  private PolygonMethod method = PolygonMethod.MONOTONE;
+  private Method method = Method.byDefault(Domain.POLYGON);
   private Latest latest; // null before the first
 
-  /** A triangulation, of which points, and where it is shown. */
-  private record Latest(Points points, Triangulation triangulation, JFrame frame) {}
+  /** A solution, of which points, and where it is shown. */
+  private record Latest(Points points, Solution solution, JFrame frame) {}
 
-  /** A triangulation and its picture, both made in the background. */
-  private record Result(Triangulation triangulation, Scene scene) {
-    static Result of(Triangulation triangulation) {
-      return new Result(triangulation, Scene.of(triangulation));
-    }
-
-    static Result of(FlipResult flips) {
-      return new Result(flips.after(), Scene.of(flips));
-    }
-
-    static Result of(Optimum best) {
-      return new Result(best.triangulation(), Scene.of(best));
+  /** A solution and its picture, both made in the background. */
+  private record Result(Solution solution, Scene scene) {
+    static Result of(Solution solution) {
+      return new Result(solution, Scene.of(solution));
     }
   }
 
@@ -55,12 +43,12 @@ final class PolygonResults {
   }
 
   /** Shows the polygon triangulated by this method. */
-  void triangulate(PolygonMethod chosen) {
+  void triangulate(Method chosen) {
     method = chosen;
     Document document = document();
     submit(
         chosen.title(),
-        progress -> Result.of(triangulation(document, chosen, progress)),
+        progress -> Result.of(solution(document, chosen, progress)),
         result -> show(document, result, chosen.title(), owner));
   }
 
@@ -72,14 +60,13 @@ final class PolygonResults {
     Document document = document();
     boolean current = latest != null && latest.points.equals(document.points());
     Latest from = current ? latest : null;
-    PolygonMethod by = method;
+    Method by = method;
     submit(
         "Perform Flip",
         progress ->
             Result.of(
-                ScanFlip.run(
-                    from == null ? triangulation(document, by, progress) : from.triangulation,
-                    progress)),
+                (from == null ? solution(document, by, progress) : from.solution)
+                    .flipped(progress)),
         result ->
             show(
                 document,
@@ -103,11 +90,9 @@ final class PolygonResults {
             what,
             progress ->
                 Result.of(
-                    BestTriangulation.of(
-                        SimplePolygon.of(document.points(), progress),
-                        goal.apply(document.size()),
-                        SearchLimits.DEFAULT,
-                        progress)),
+                    solution(document, Method.byDefault(Domain.POLYGON), progress)
+                        .wishing(goal.apply(document.size()))
+                        .optimized(SearchLimits.DEFAULT, progress)),
             best -> show(document, best, what, owner));
   }
 
@@ -115,9 +100,9 @@ final class PolygonResults {
     return workbench.editor(Domain.POLYGON).document();
   }
 
-  private static Triangulation triangulation(
-      Document document, PolygonMethod method, Progress progress) {
-    return method.triangulate(SimplePolygon.of(document.points(), progress), progress);
+  private Solution solution(Document document, Method by, Progress progress) {
+    String name = workbench.editor(Domain.POLYGON).name();
+    return Solution.of(document.instance(name, progress), by, progress);
   }
 
   private <T> void submit(
@@ -135,7 +120,7 @@ final class PolygonResults {
       beside.toFront(); // so that old and new can be compared
     }
     frames.add(frame);
-    latest = new Latest(document.points(), result.triangulation, frame);
+    latest = new Latest(document.points(), result.solution, frame);
     frame.setVisible(true);
   }
 

@@ -1,17 +1,16 @@
 package dct.ui;
 
 import dct.core.degree.ParityGoal;
-import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
+import dct.problem.Solution;
 import dct.ui.document.Analysis;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import java.awt.Component;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import javax.swing.JOptionPane;
@@ -20,6 +19,7 @@ import javax.swing.JOptionPane;
 final class SitesWork {
   private static final int MOST = 1_000_000;
   private static final String TITLE = "Random Sites";
+  private static final String CURE = "draw three sites or more, not all on one line";
 
   private final Component parent;
   private final Workbench workbench;
@@ -41,15 +41,15 @@ final class SitesWork {
   void flip() {
     Editor editor = workbench.editor(Domain.SITES);
     Analysis shown = editor.shown();
-    Triangulation triangulation = shown.triangulation().orElse(null);
-    if (triangulation == null) {
-      workbench.say("There is no triangulation to flip yet; draw three sites or more");
+    Optional<Solution> before = shown.solution();
+    if (before.isEmpty()) {
+      workbench.say("There is no triangulation to flip yet; " + CURE);
     } else {
       workbench
           .jobs()
           .submit(
               "Perform Flip",
-              progress -> shown.flipped(ScanFlip.run(triangulation, progress)),
+              progress -> shown.with(before.get().flipped(progress)),
               editor::showInstead);
     }
   }
@@ -64,20 +64,18 @@ final class SitesWork {
   void optimize(String what, IntFunction<ParityGoal> goal) {
     Editor editor = workbench.editor(Domain.SITES);
     Analysis shown = editor.shown();
-    Triangulation before = shown.triangulation().orElse(null);
-    if (before == null) {
-      workbench.say("There is no triangulation to improve yet; draw three sites or more");
+    Optional<Solution> before = shown.solution();
+    if (before.isEmpty()) {
+      workbench.say("There is no triangulation to improve yet; " + CURE);
     } else if (!shown.document().equals(editor.document())) {
       workbench.say("The sites are still being triangulated; try again when that is done");
     } else {
-      ParityGoal wished = goal.apply(before.vertexCount());
+      Solution start = before.get().wishing(goal.apply(before.get().instance().size()));
       workbench
           .jobs()
           .submitSearch(
               what,
-              progress ->
-                  shown.optimized(
-                      BestTriangulation.of(before, wished, SearchLimits.DEFAULT, progress)),
+              progress -> shown.with(start.optimized(SearchLimits.DEFAULT, progress)),
               editor::showInstead);
     }
   }

@@ -136,8 +136,8 @@ class BadInputTest {
   @Test
   void sites() throws IOException {
     Path two = Files.writeString(folder.resolve("two_pointbased.txt"), "0 0\n1 1\n");
-    assertRefused(two, two + ":2: 2 vertices; three or more are needed");
-    String oneLine = "1: all vertices lie on one line; move at least one off it";
+    assertRefused(two, two + ":2: 2 sites; three or more are needed");
+    String oneLine = "1: all sites lie on one line; move at least one off it";
     Path line = Files.writeString(folder.resolve("line_pointbased.txt"), "0 0\n2 2\n1 1\n3 3\n");
     assertRefused(line, line + ":" + oneLine);
     Path same = Files.writeString(folder.resolve("same.txt"), "0 0\n0 0\n0 0\n1 1\n");

@@ -11,11 +11,16 @@ import dct.io.PointFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The verbs generate, convert and check. */
 class PointCommandsTest {
@@ -121,11 +126,80 @@ class PointCommandsTest {
   }
 
   @Test
-  void convert_takes_the_points_of_a_whole_result() {
+  void convert_says_that_text_holds_the_points_of_a_result_alone() {
     Path result = folder.resolve("result.json");
     CliRun.withInput("0 0\n4 0\n0 4", "triangulate", "-", "-o", result).done();
-    assertThat(CliRun.of("convert", result, "-o", "-").done().out())
-        .isEqualTo("# kind: polygon\n0 0\n4 0\n0 4\n");
+    CliRun run = CliRun.of("convert", result, "-o", "-");
+    assertThat(run.status()).isZero();
+    assertThat(run.out()).isEqualTo("# kind: polygon\n0 0\n4 0\n0 4\n");
+    assertThat(run.err())
+        .isEqualTo("-: holds the points alone; the triangulation is left out, use .json\n");
+  }
+
+  static List<List<String>> waysToMakeAResult() {
+    return List.of(
+        List.of(),
+        List.of("--flip"),
+        List.of("--algorithm", "convex-even", "--flip"),
+        List.of("--optimize", "odd"),
+        List.of("--as", "points"),
+        List.of("--as", "points", "--flip"),
+        List.of("--as", "points", "--optimize", "even"),
+        List.of("--as", "points", "--optimize", "odd"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("waysToMakeAResult")
+  void convert_draws_a_result_as_triangulate_does(List<String> options) throws IOException {
+    String points = "0 0\n9 1\n20 0\n19 8\n20 20\n11 17\n0 20\n3 9\n";
+    Path result = folder.resolve("result.json");
+    List<Object> words = new ArrayList<>(List.of("triangulate", "-", "-o", result));
+    List<String> names = List.of("a.svg", "a.tex", "a.ipe", "a.off");
+    names.forEach(name -> words.addAll(List.of("-o", folder.resolve(name))));
+    words.addAll(options);
+    CliRun.withInput(points, words.toArray()).done();
+    for (String name : names) {
+      Path converted = folder.resolve("converted-" + name);
+      CliRun.of("convert", result, "-o", converted).done();
+      assertThat(triangles(converted)).isEqualTo(triangles(folder.resolve(name)));
+    }
+    Path again = folder.resolve("again.json");
+    CliRun.of("convert", result, "-o", again).done();
+    String millis = "\"millis\": \\{[^}]*}, "; // takes another time
+    assertThat(again).hasContent(Files.readString(result).replaceFirst(millis, ""));
+  }
+
+  /** The lines of a file; triangles of an OFF file sorted, each from its least corner on. */
+  private static List<String> triangles(Path file) throws IOException {
+    List<String> lines = Files.readAllLines(file);
+    return file.toString().endsWith(".off")
+        ? lines.stream().map(PointCommandsTest::fromLeastCorner).sorted().toList()
+        : lines;
+  }
+
+  private static String fromLeastCorner(String line) {
+    List<String> words = new ArrayList<>(List.of(line.split(" ")));
+    if (words.size() == 4) {
+      int least =
+          words.lastIndexOf(
+              Collections.min(words.subList(1, 4), Comparator.comparing(Integer::valueOf)));
+      Collections.rotate(words.subList(1, 4), 1 - least);
+    }
+    return String.join(" ", words);
+  }
+
+  @Test
+  void a_result_that_is_no_triangulation_is_not_converted() throws IOException {
+    Path result = folder.resolve("result.json");
+    CliRun.withInput("0 0\n4 0\n4 4\n0 4", "triangulate", "-", "-o", result).done();
+    Files.writeString(
+        result,
+        Files.readString(result)
+            .replaceFirst("\\[\\d, \\d, \"diagonal\"]", "[0, 1, \"diagonal\"]"));
+    CliRun run = CliRun.of("convert", result, "-o", folder.resolve("a.svg"));
+    assertThat(run.status()).isEqualTo(3);
+    assertThat(run.err()).contains("lies on another edge; make the result again from its input");
+    assertThat(folder.resolve("a.svg")).doesNotExist();
   }
 
   @Test

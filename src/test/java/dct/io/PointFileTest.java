@@ -86,8 +86,8 @@ class PointFileTest {
   void a_comment_or_the_name_says_what_the_points_are(Domain domain, @TempDir Path folder)
       throws IOException {
     assertThat(read("0 0\n").declared()).isEmpty();
-    assertThat(read("# kind: " + DomainWord.of(domain) + "\n0 0\n").declared()).contains(domain);
-    assertThat(read("0 0\n# kind: " + DomainWord.of(domain) + "\n").declared()).isEmpty();
+    assertThat(read("# kind: " + domain.word() + "\n0 0\n").declared()).contains(domain);
+    assertThat(read("0 0\n# kind: " + domain.word() + "\n").declared()).isEmpty();
     assertThat(read("# kind: something\n0 0\n").declared()).isEmpty();
     Path file = folder.resolve("x" + FileNames.suffix(domain) + ".txt");
     Files.writeString(file, "0 0\n");
@@ -108,7 +108,7 @@ class PointFileTest {
     assertThat(folder.resolve("x" + FileNames.suffix(domain) + ".txt"))
         .hasContent("0 0\n4.5 -1e-9\n2 3\n");
     assertThat(folder.resolve("x.txt"))
-        .hasContent("# kind: " + DomainWord.of(domain) + "\n0 0\n4.5 -1e-9\n2 3\n");
+        .hasContent("# kind: " + domain.word() + "\n0 0\n4.5 -1e-9\n2 3\n");
   }
 
   @Test

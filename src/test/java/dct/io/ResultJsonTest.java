@@ -6,12 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
-import dct.core.degree.DegreeCount;
+import dct.core.degree.FlipResult;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
+import dct.problem.verify.Claims;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -27,24 +32,29 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ResultJsonTest {
   private static final Points SQUARE = Points.ofPairs(0, 0, 10, 0, 10, 0.5, 0, 1e30);
-  private static final Result.Millis MILLIS = new Result.Millis(3.14, 1.96, 0);
+  private static final Optional<ResultJson.Millis> MILLIS =
+      Optional.of(new ResultJson.Millis(3.14, 1.96, 0));
 
-  private static Result square(Optional<Result.Post> post) {
-    Dcel dcel = Dcel.cycle(0, 1, 2, 3);
-    dcel.splitFace(dcel.outEdge(0), dcel.outEdge(2));
-    Triangulation triangulation =
-        new Triangulation(Domain.POLYGON, SQUARE, dcel, edge -> EdgeKind.FLIPPED);
-    return new Result("a \"b\".txt", "monotone", triangulation, post, Optional.empty(), 0, MILLIS);
+  private static Solution square() {
+    Instance square = Instance.of(Domain.POLYGON, "a \"b\".txt", SQUARE, Progress.NONE);
+    return Solution.of(square, Method.MONOTONE, triangulation(0));
   }
 
-  private static StoredResult read(String text) throws IOException {
+  /** The square cut from vertex v to the one opposite. */
+  private static Triangulation triangulation(int v) {
+    Dcel dcel = Dcel.cycle(0, 1, 2, 3);
+    dcel.splitFace(dcel.outEdge(v), dcel.outEdge(v + 2));
+    return new Triangulation(Domain.POLYGON, SQUARE, dcel, edge -> EdgeKind.FLIPPED);
+  }
+
+  private static Claims read(String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     return ResultJson.read("in.json", new ByteArrayInputStream(bytes));
   }
 
   @Test
   void the_summary_has_the_fields_of_the_contract_in_order() {
-    assertThat(ResultJson.summary(square(Optional.empty())))
+    assertThat(ResultJson.summary(square(), MILLIS))
         .isEqualTo(
             "{\"input\": \"a \\\"b\\\".txt\", \"kind\": \"polygon\", \"algorithm\": \"monotone\","
                 + " \"post\": \"none\", \"vertices\": 4, \"edges\": 5, \"triangles\": 2,"
@@ -55,19 +65,18 @@ class ResultJsonTest {
 
   @Test
   void flips_add_their_fields() {
-    Result.Post post = new Result.Post("flip", new DegreeCount(0, 4), 1);
-    JsonObject json =
-        JsonParser.parseString(ResultJson.summary(square(Optional.of(post)))).getAsJsonObject();
+    Solution flipped = square().flipped(new FlipResult(triangulation(1), triangulation(0), 1));
+    JsonObject json = JsonParser.parseString(ResultJson.summary(flipped, MILLIS)).getAsJsonObject();
     assertThat(json.get("post").getAsString()).isEqualTo("flip");
-    assertThat(json.get("evenBefore").getAsInt()).isZero();
-    assertThat(json.get("oddBefore").getAsInt()).isEqualTo(4);
+    assertThat(json.get("evenBefore").getAsInt()).isEqualTo(2);
+    assertThat(json.get("oddBefore").getAsInt()).isEqualTo(2);
     assertThat(json.get("flips").getAsInt()).isEqualTo(1);
   }
 
   @Test
   void the_whole_result_lists_points_and_edges() throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ResultJson.write(out, square(Optional.empty()));
+    ResultJson.write(out, square(), MILLIS);
     String text = out.toString(StandardCharsets.UTF_8);
     JsonObject json = JsonParser.parseString(text).getAsJsonObject();
     JsonArray points = json.getAsJsonArray("points");
@@ -76,28 +85,26 @@ class ResultJsonTest {
     assertThat(json.getAsJsonArray("edgeList")).hasSize(5);
     assertThat(text).contains("\n[10, 0.5],\n").contains(", \"flipped\"]").endsWith("]}\n");
     assertThat(json.get("odd").getAsInt()).isEqualTo(2);
+    assertThat(json.get("format").getAsString()).isEqualTo("dct-result/1");
   }
 
   @Test
   void reads_back_what_it_writes(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("result.json");
-    Result result = square(Optional.empty());
-    ResultJson.write(file, result);
-    StoredResult stored = ResultJson.read(file);
+    Triangulation written = square().triangulation();
+    ResultJson.write(file, square(), MILLIS);
+    Claims stored = ResultJson.read(file);
     assertThat(stored.points()).isEqualTo(SQUARE);
     assertThat(stored.domain()).contains(Domain.POLYGON);
     assertThat(stored.text("algorithm")).contains("monotone");
     assertThat(stored.whole("odd")).hasValue(2);
     assertThat(stored.whole("algorithm")).isEmpty();
     assertThat(stored.flag("optimal")).contains(true);
-    assertThat(stored.edgeCount()).isEqualTo(5);
-    assertThat(stored.edge(0))
-        .isEqualTo(
-            new StoredResult.Edge(
-                result.triangulation().from(0),
-                result.triangulation().to(0),
-                EdgeKind.BOUNDARY,
-                6));
+    assertThat(stored.edges().size()).isEqualTo(5);
+    assertThat(stored.edges().from(0)).isEqualTo(written.from(0));
+    assertThat(stored.edges().to(0)).isEqualTo(written.to(0));
+    assertThat(stored.edges().kind(0)).isEqualTo(EdgeKind.BOUNDARY);
+    assertThat(stored.edges().line(0)).isEqualTo(6);
     assertThat(PointFile.read(file).points()).isEqualTo(SQUARE);
     assertThat(PointFile.read(file).declared()).contains(Domain.POLYGON);
   }
@@ -181,12 +188,5 @@ class ResultJsonTest {
     assertThatThrownBy(() -> read("{\"x\": " + "[".repeat(100_000)))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("this is not JSON");
-  }
-
-  @Test
-  void the_bound_follows_from_the_boundary() {
-    assertThat(Result.oddLowerBound(9)).isZero();
-    assertThat(Result.oddLowerBound(10)).isEqualTo(2);
-    assertThat(Result.oddLowerBound(11)).isEqualTo(2);
   }
 }

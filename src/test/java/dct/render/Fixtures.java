@@ -1,11 +1,15 @@
 package dct.render;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.degree.FlipResult;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 
 /** Triangulations made by hand, so that tests of pictures need no algorithm. */
 final class Fixtures {
@@ -27,7 +31,7 @@ final class Fixtures {
   }
 
   /** The pentagon before and after v0–v2 was flipped to v1–v4. */
-  static FlipResult flippedPentagon() {
+  static Solution flippedPentagon() {
     Triangulation before = pentagon();
     Dcel dcel = before.dcel().copy();
     int diagonal = 5;
@@ -38,7 +42,13 @@ final class Fixtures {
             PENTAGON,
             dcel,
             edge -> edge == diagonal ? EdgeKind.FLIPPED : before.kind(edge));
-    return new FlipResult(before, after, 1);
+    return solution().flipped(new FlipResult(before, after, 1));
+  }
+
+  /** The pentagon as a solution. */
+  static Solution solution() {
+    Instance instance = Instance.of(Domain.POLYGON, "pentagon", PENTAGON, Progress.NONE);
+    return Solution.of(instance, Method.CONVEX_EVEN, pentagon());
   }
 
   private static int out(Dcel dcel, int v) {

@@ -7,6 +7,7 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.SearchLimits;
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
@@ -170,8 +171,9 @@ class ScenePainterTest {
   private static Scene best(Wish... wishes) {
     ParityGoal goal = ParityGoal.of(wishes);
     int unsatisfied = goal.unsatisfied(Fixtures.pentagon());
-    return Scene.of(
-        new Optimum(Fixtures.pentagon(), goal, unsatisfied, new LowerBound(2, "by hand"), false));
+    Optimum best =
+        new Optimum(Fixtures.pentagon(), goal, unsatisfied, new LowerBound(2, "by hand"), false);
+    return Scene.of(Fixtures.solution().optimized(best, SearchLimits.DEFAULT));
   }
 
   @Test

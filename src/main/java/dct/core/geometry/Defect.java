@@ -23,6 +23,10 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
     TOO_FEW,
     /** All vertices lie on one line. */
     COLLINEAR,
+    /** Fewer than three sites. */
+    FEW_SITES,
+    /** All sites lie on one line. */
+    SITES_ON_ONE_LINE,
     /** Two vertices coincide. */
     DUPLICATE,
     /** The boundary turns back along itself at a vertex. */
@@ -35,11 +39,19 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
     OVERLAP
   }
 
+  /** What keeps these sites from having a triangle, {@link Kind#FEW_SITES} or on one line. */
+  public static Defect ofSites(Kind kind, Points sites) {
+    boolean any = sites.size() > 0;
+    return new Defect(kind, 0, 0, any ? sites.x(0) : 0, any ? sites.y(0) : 0, sites.size());
+  }
+
   /** One sentence for a person: what is wrong, where, and what would mend it. */
   public String message() {
     return switch (kind) {
       case TOO_FEW -> count + (count == 1 ? " vertex" : " vertices") + "; three or more are needed";
       case COLLINEAR -> "all vertices lie on one line; move at least one off it";
+      case FEW_SITES -> count + (count == 1 ? " site" : " sites") + "; three or more are needed";
+      case SITES_ON_ONE_LINE -> "all sites lie on one line; move at least one off it";
       case DUPLICATE ->
           String.format(
               Locale.ROOT,

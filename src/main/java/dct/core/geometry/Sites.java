@@ -45,6 +45,16 @@ public final class Sites {
     return points;
   }
 
+  /** Whether no three of them span a triangle, in O(n). */
+  public boolean areOnOneLine() {
+    for (int i = 2; i < points.size(); i++) {
+      if (points.orient(0, 1, i) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** The number of sites, n. */
   public int size() {
     return points.size();

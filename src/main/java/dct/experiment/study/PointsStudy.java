@@ -1,17 +1,14 @@
 package dct.experiment.study;
 
 import dct.core.Progress;
-import dct.core.degree.DegreeCount;
-import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
-import dct.core.degree.ParityGoal;
-import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
-import dct.core.geometry.Sites;
-import dct.core.triangulate.Delaunay;
-import dct.core.triangulate.Triangulation;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
 import dct.experiment.generate.SiteShape;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 import dct.render.Scene;
 import dct.render.chart.Chart;
 import java.util.LinkedHashMap;
@@ -79,18 +76,19 @@ public final class PointsStudy implements Study {
   @Override
   public StudyRow run(Trial trial, Progress progress) {
     Laps laps = new Laps();
-    Sites sites = sites(trial, progress);
-    Triangulation delaunay = laps.time(STEPS.get(0), () -> Delaunay.triangulate(sites, progress));
-    FlipResult once = laps.time(STEPS.get(1), () -> ScanFlip.run(delaunay, progress));
+    Instance sites = instance(trial, progress);
+    Solution delaunay =
+        laps.time(STEPS.get(0), () -> Solution.of(sites, Method.DELAUNAY, progress));
+    Solution once = laps.time(STEPS.get(1), () -> delaunay.flipped(progress));
     Repeated often = laps.time(STEPS.get(2), () -> Repeated.of(once, progress));
-    Optimum best = laps.time(STEPS.get(3), () -> best(delaunay, progress));
+    Optimum best = laps.time(STEPS.get(3), () -> best(delaunay, progress).optimum().orElseThrow());
     progress.checkCancelled(); // what a search found until then is no row
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(HULL, delaunay.boundaryCount());
-    counts.put(BEFORE, DegreeCount.of(delaunay).even());
-    counts.put(AFTER, DegreeCount.of(once.after()).even());
-    counts.put(FLIPS, once.flips());
-    counts.put(REPEATED, DegreeCount.of(often.last().after()).even());
+    counts.put(HULL, delaunay.triangulation().boundaryCount());
+    counts.put(BEFORE, delaunay.counts().even());
+    counts.put(AFTER, once.counts().even());
+    counts.put(FLIPS, flips(once));
+    counts.put(REPEATED, often.last().counts().even());
     counts.put(REPEATED_FLIPS, often.flips());
     counts.put(SCANS, often.scans());
     counts.put(BEST, sites.size() - best.unsatisfied());
@@ -98,14 +96,17 @@ public final class PointsStudy implements Study {
     return new StudyRow(trial, counts, laps.millis());
   }
 
-  private static Sites sites(Trial trial, Progress progress) {
-    return Sites.of(
-        SiteShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed()), progress);
+  private static Instance instance(Trial trial, Progress progress) {
+    Points points = SiteShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed());
+    return Instance.of(Domain.SITES, trial.shape(), points, progress);
   }
 
-  private static Optimum best(Triangulation delaunay, Progress progress) {
-    ParityGoal even = ParityGoal.allEven(delaunay.vertexCount());
-    return BestTriangulation.of(delaunay, even, SearchLimits.DEFAULT, progress);
+  private static Solution best(Solution delaunay, Progress progress) {
+    return delaunay.optimized(SearchLimits.DEFAULT, progress);
+  }
+
+  private static int flips(Solution scanned) {
+    return scanned.flips().orElseThrow().flips();
   }
 
   @Override
@@ -125,10 +126,10 @@ public final class PointsStudy implements Study {
 
   @Override
   public List<StudyPicture> pictures(Trial trial, Progress progress) {
-    Triangulation delaunay = Delaunay.triangulate(sites(trial, progress), progress);
+    Solution delaunay = Solution.of(instance(trial, progress), Method.DELAUNAY, progress);
     return List.of(
         new StudyPicture("Delaunay", Scene.of(delaunay)),
-        new StudyPicture("Scan-Flip", Scene.of(ScanFlip.run(delaunay, progress))),
+        new StudyPicture("Scan-Flip", Scene.of(delaunay.flipped(progress))),
         new StudyPicture("Best", Scene.of(best(delaunay, progress))));
   }
 
@@ -139,19 +140,19 @@ public final class PointsStudy implements Study {
    * @param flips of all scans
    * @param scans how many flipped something
    */
-  private record Repeated(FlipResult last, int flips, int scans) {
+  private record Repeated(Solution last, int flips, int scans) {
 
     /** Goes on from the first scan. Ends, for each flip makes two vertices even or more. */
-    static Repeated of(FlipResult first, Progress progress) {
-      FlipResult last = first;
-      FlipResult following = first;
+    static Repeated of(Solution first, Progress progress) {
+      Solution last = first;
+      Solution following = first;
       int flips = 0;
       int scans = 0;
-      while (following.flips() > 0) {
+      while (PointsStudy.flips(following) > 0) {
         last = following;
-        flips += last.flips();
+        flips += PointsStudy.flips(last);
         scans++;
-        following = ScanFlip.run(last.after(), progress);
+        following = last.flipped(progress);
       }
       return new Repeated(last, flips, scans);
     }

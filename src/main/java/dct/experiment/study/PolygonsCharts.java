@@ -1,6 +1,6 @@
 package dct.experiment.study;
 
-import dct.experiment.study.PolygonsStudy.Method;
+import dct.problem.Method;
 import dct.render.chart.Chart;
 import dct.render.chart.Chart.Look;
 import java.util.ArrayList;
@@ -12,6 +12,17 @@ import java.util.function.ToDoubleFunction;
 /** The charts of the study of polygons; given polygons are not in them. */
 final class PolygonsCharts {
   static final List<String> WORDS = List.of("shapes", "sizes", "pieces", "reflex");
+
+  private static final Map<Method, Look> PALE =
+      Map.of(
+          Method.EAR_CLIPPING, Look.PALE_BLUE,
+          Method.MONOTONE, Look.PALE_ORANGE,
+          Method.CONVEX_EVEN, Look.PALE_GREEN);
+  private static final Map<Method, Look> STRONG =
+      Map.of(
+          Method.EAR_CLIPPING, Look.BLUE,
+          Method.MONOTONE, Look.ORANGE,
+          Method.CONVEX_EVEN, Look.GREEN);
 
   private static final String SHARE = "even vertices, %";
   private static final String ERRORS = "; bars: 95 % interval of the mean";
@@ -88,29 +99,17 @@ final class PolygonsCharts {
 
   private static List<Chart.Series> series(Maker maker) {
     List<Chart.Series> series = new ArrayList<>();
-    for (Method method : Method.values()) {
-      series.add(maker.make(method.title(), pale(method), r -> r.percent(method.before())));
+    for (Method method : PolygonsStudy.METHODS) {
       series.add(
           maker.make(
-              method.title() + ", Scan-Flip", strong(method), r -> r.percent(method.after())));
+              method.algorithm(), PALE.get(method), r -> r.percent(PolygonsStudy.before(method))));
+      series.add(
+          maker.make(
+              method.algorithm() + ", Scan-Flip",
+              STRONG.get(method),
+              r -> r.percent(PolygonsStudy.after(method))));
     }
     series.add(maker.make("Best", Look.VIOLET, row -> row.percent(PolygonsStudy.BEST)));
     return series;
-  }
-
-  private static Look pale(Method method) {
-    return switch (method) {
-      case EAR_CLIPPING -> Look.PALE_BLUE;
-      case MONOTONE -> Look.PALE_ORANGE;
-      case AQT -> Look.PALE_GREEN;
-    };
-  }
-
-  private static Look strong(Method method) {
-    return switch (method) {
-      case EAR_CLIPPING -> Look.BLUE;
-      case MONOTONE -> Look.ORANGE;
-      case AQT -> Look.GREEN;
-    };
   }
 }

@@ -1,24 +1,19 @@
 package dct.experiment.study;
 
 import dct.core.Progress;
-import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
-import dct.core.degree.ParityGoal;
-import dct.core.degree.PartitioningAqt;
-import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
-import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.HertelMehlhorn;
 import dct.core.triangulate.MonotoneTriangulation;
-import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.PolygonShape;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 import dct.render.Scene;
 import dct.render.chart.Chart;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,46 +35,22 @@ public final class PolygonsStudy implements Study {
   static final String BEST = "even_best";
   static final String LIMIT = "even_limit";
 
-  /** A way to triangulate that is studied, also with Scan-Flip after it. */
-  enum Method {
-    EAR_CLIPPING("ear_clipping", "Ear clipping"),
-    MONOTONE("monotone", "Monotone"),
-    AQT("partitioning_aqt", "Partitioning-AQT");
+  /** The methods that are studied, also with Scan-Flip after them. */
+  static final List<Method> METHODS =
+      List.of(Method.EAR_CLIPPING, Method.MONOTONE, Method.CONVEX_EVEN);
 
-    private final String word;
-    private final String title;
+  /** The name of the number of even vertices of a method before Scan-Flip. */
+  static String before(Method method) {
+    return "even_" + method.column();
+  }
 
-    Method(String word, String title) {
-      this.word = word;
-      this.title = title;
-    }
-
-    private Triangulation run(SimplePolygon polygon, Progress progress) {
-      return switch (this) {
-        case EAR_CLIPPING -> EarClipping.triangulate(polygon, progress);
-        case MONOTONE -> MonotoneTriangulation.triangulate(polygon, progress);
-        case AQT -> PartitioningAqt.triangulate(polygon, progress);
-      };
-    }
-
-    /** Its name for people. */
-    String title() {
-      return title;
-    }
-
-    /** The name of the number of even vertices before Scan-Flip. */
-    String before() {
-      return "even_" + word;
-    }
-
-    /** The name of the number of even vertices after Scan-Flip. */
-    String after() {
-      return "even_" + word + "_flip";
-    }
+  /** The name of the number of even vertices of a method after Scan-Flip. */
+  static String after(Method method) {
+    return before(method) + "_flip";
   }
 
   private final List<Trial> trials;
-  private final Map<Trial, SimplePolygon> files;
+  private final Map<Trial, Instance.OfPolygon> files;
 
   /**
    * The study of these polygons.
@@ -87,7 +58,7 @@ public final class PolygonsStudy implements Study {
    * @param plan the random ones
    * @param files real ones, by their names, which come first
    */
-  public PolygonsStudy(StudyPlan plan, Map<String, SimplePolygon> files) {
+  public PolygonsStudy(StudyPlan plan, Map<String, Instance.OfPolygon> files) {
     this.files = new LinkedHashMap<>();
     files.forEach((name, p) -> this.files.put(new Trial(name, p.size(), 1, 0), p));
     trials = new ArrayList<>(this.files.keySet());
@@ -107,9 +78,9 @@ public final class PolygonsStudy implements Study {
   @Override
   public List<String> counts() {
     List<String> counts = new ArrayList<>(List.of(REFLEX, PIECES));
-    for (Method method : Method.values()) {
-      counts.add(method.before());
-      counts.add(method.after());
+    for (Method method : METHODS) {
+      counts.add(before(method));
+      counts.add(after(method));
     }
     counts.addAll(List.of(BEST, LIMIT));
     return counts;
@@ -118,7 +89,7 @@ public final class PolygonsStudy implements Study {
   @Override
   public List<String> steps() {
     List<String> steps = new ArrayList<>(List.of("generate"));
-    Arrays.stream(Method.values()).forEach(method -> steps.add(method.word));
+    METHODS.forEach(method -> steps.add(method.column()));
     steps.add("best");
     return steps;
   }
@@ -131,27 +102,29 @@ public final class PolygonsStudy implements Study {
   @Override
   public StudyRow run(Trial trial, Progress progress) {
     Laps laps = new Laps();
-    SimplePolygon polygon = laps.time("generate", () -> polygon(trial));
+    Instance.OfPolygon instance = laps.time("generate", () -> instance(trial));
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(REFLEX, reflex(polygon));
-    counts.put(PIECES, pieces(polygon, progress));
-    for (Method method : Method.values()) {
-      Triangulation made = laps.time(method.word, () -> method.run(polygon, progress));
-      counts.put(method.before(), DegreeCount.of(made).even());
-      counts.put(method.after(), DegreeCount.of(ScanFlip.run(made, progress).after()).even());
+    counts.put(REFLEX, reflex(instance.polygon()));
+    counts.put(PIECES, pieces(instance.polygon(), progress));
+    for (Method method : METHODS) {
+      Solution made = laps.time(method.column(), () -> Solution.of(instance, method, progress));
+      counts.put(before(method), made.counts().even());
+      counts.put(after(method), made.flipped(progress).counts().even());
     }
-    Optimum best = laps.time("best", () -> best(polygon, progress));
+    Optimum best = laps.time("best", () -> best(instance, progress));
     progress.checkCancelled(); // what a search found until then is no row
-    counts.put(BEST, polygon.size() - best.unsatisfied());
-    counts.put(LIMIT, polygon.size() - best.bound().value());
+    counts.put(BEST, instance.size() - best.unsatisfied());
+    counts.put(LIMIT, instance.size() - best.bound().value());
     return new StudyRow(trial, counts, laps.millis());
   }
 
-  private SimplePolygon polygon(Trial trial) {
-    SimplePolygon file = files.get(trial);
+  private Instance.OfPolygon instance(Trial trial) {
+    Instance.OfPolygon file = files.get(trial);
     return file != null
         ? file
-        : PolygonShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed());
+        : Instance.of(
+            trial.shape(),
+            PolygonShape.of(trial.shape()).orElseThrow().generate(trial.n(), trial.seed()));
   }
 
   /** How many vertices have an inner angle of more than 180°. */
@@ -174,9 +147,11 @@ public final class PolygonsStudy implements Study {
         .pieces();
   }
 
-  private static Optimum best(SimplePolygon polygon, Progress progress) {
-    ParityGoal even = ParityGoal.allEven(polygon.size());
-    return BestTriangulation.of(polygon, even, SearchLimits.DEFAULT, progress);
+  private static Optimum best(Instance instance, Progress progress) {
+    return Solution.of(instance, Method.MONOTONE, progress)
+        .optimized(SearchLimits.DEFAULT, progress)
+        .optimum()
+        .orElseThrow();
   }
 
   /** Whether the row belongs to a file. */
@@ -201,12 +176,11 @@ public final class PolygonsStudy implements Study {
 
   @Override
   public List<StudyPicture> pictures(Trial trial, Progress progress) {
-    SimplePolygon polygon = polygon(trial);
-    Triangulation aqt = PartitioningAqt.triangulate(polygon, progress);
+    Solution aqt = Solution.of(instance(trial), Method.CONVEX_EVEN, progress);
+    String title = Method.CONVEX_EVEN.algorithm();
     return List.of(
-        new StudyPicture(Method.AQT.title(), Scene.of(aqt)),
-        new StudyPicture(
-            Method.AQT.title() + " and Scan-Flip", Scene.of(ScanFlip.run(aqt, progress))),
-        new StudyPicture("Best", Scene.of(best(polygon, progress))));
+        new StudyPicture(title, Scene.of(aqt)),
+        new StudyPicture(title + " and Scan-Flip", Scene.of(aqt.flipped(progress))),
+        new StudyPicture("Best", Scene.of(aqt.optimized(SearchLimits.DEFAULT, progress))));
   }
 }

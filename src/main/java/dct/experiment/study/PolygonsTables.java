@@ -1,6 +1,6 @@
 package dct.experiment.study;
 
-import dct.experiment.study.PolygonsStudy.Method;
+import dct.problem.Method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -9,16 +9,6 @@ import java.util.function.ToDoubleFunction;
 
 /** The tables of the study of polygons. */
 final class PolygonsTables {
-  private static final List<String> METHODS =
-      List.of(
-          "Ear clipping",
-          "Ear clipping, Scan-Flip",
-          "Monotone",
-          "Monotone, Scan-Flip",
-          "Partitioning-AQT",
-          "Partitioning-AQT, Scan-Flip",
-          "Best",
-          "Proven best");
   private static final String WORDS =
       "Numbers are means ± half the 95 % interval (standard deviation).";
 
@@ -72,14 +62,17 @@ final class PolygonsTables {
 
   private static List<String> columns(String... first) {
     List<String> columns = new ArrayList<>(List.of(first));
-    columns.addAll(METHODS);
+    for (Method method : PolygonsStudy.METHODS) {
+      columns.addAll(List.of(method.algorithm(), method.algorithm() + ", Scan-Flip"));
+    }
+    columns.addAll(List.of("Best", "Proven best"));
     return columns;
   }
 
   private static void addMethods(List<String> cells, List<StudyRow> group) {
-    for (Method method : Method.values()) {
-      cells.add(share(group, method.before()));
-      cells.add(share(group, method.after()));
+    for (Method method : PolygonsStudy.METHODS) {
+      cells.add(share(group, PolygonsStudy.before(method)));
+      cells.add(share(group, PolygonsStudy.after(method)));
     }
     cells.add(share(group, PolygonsStudy.BEST));
     long proven = group.stream().filter(PolygonsTables::isProven).count();

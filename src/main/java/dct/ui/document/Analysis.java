@@ -1,16 +1,15 @@
 package dct.ui.document;
 
 import dct.core.Progress;
-import dct.core.degree.FlipResult;
-import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Defect;
+import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
-import dct.core.geometry.Sites;
-import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.Triangulation;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 import dct.render.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,7 +21,7 @@ import java.util.Optional;
  */
 public final class Analysis {
   private final Document document;
-  private final Optional<Triangulation> triangulation;
+  private final Optional<Solution> solution;
   private final List<Defect> defects; // the first is the one to name
   private final Scene scene;
   private final boolean growing; // of a polygon: the last edge is still provisional
@@ -30,13 +29,13 @@ public final class Analysis {
 
   private Analysis(
       Document document,
-      Optional<Triangulation> triangulation,
+      Optional<Solution> solution,
       List<Defect> defects,
       Scene scene,
       boolean growing,
       boolean pending) {
     this.document = document;
-    this.triangulation = triangulation;
+    this.solution = solution;
     this.defects = defects;
     this.scene = scene.withWishes(document.wishes());
     this.growing = growing;
@@ -59,7 +58,7 @@ public final class Analysis {
   static Analysis pending(Document document, boolean growing) {
     return document.domain() == Domain.POLYGON
         ? polygon(document, List.of(), growing, true)
-        : untriangulated(document, true);
+        : untriangulated(document, List.of(), true);
   }
 
   private static Analysis polygon(
@@ -68,9 +67,9 @@ public final class Analysis {
     return new Analysis(document, Optional.empty(), defects, scene, growing, pending);
   }
 
-  private static Analysis untriangulated(Document document, boolean pending) {
+  private static Analysis untriangulated(Document document, List<Defect> defects, boolean pending) {
     Scene scene = Scene.sites(document.points());
-    return new Analysis(document, Optional.empty(), List.of(), scene, false, pending);
+    return new Analysis(document, Optional.empty(), defects, scene, false, pending);
   }
 
   private static List<Defect> defects(Points points, Progress progress) {
@@ -86,24 +85,24 @@ public final class Analysis {
 
   private static Analysis sites(Document document, Progress progress) {
     if (document.size() < 3) {
-      return untriangulated(document, false);
+      return untriangulated(document, List.of(), false);
     }
-    Triangulation delaunay = Delaunay.triangulate(Sites.of(document.points(), progress), progress);
-    return sites(document, delaunay, Scene.of(delaunay));
+    try {
+      Instance instance = document.instance("", progress);
+      return sites(document, Solution.of(instance, Method.DELAUNAY, progress));
+    } catch (InvalidGeometryException e) {
+      return untriangulated(document, List.of(e.defect()), false);
+    }
   }
 
-  private static Analysis sites(Document document, Triangulation triangulation, Scene scene) {
-    return new Analysis(document, Optional.of(triangulation), List.of(), scene, false, false);
+  private static Analysis sites(Document document, Solution solution) {
+    Scene scene = Scene.of(solution);
+    return new Analysis(document, Optional.of(solution), List.of(), scene, false, false);
   }
 
-  /** This analysis with the triangulation of the sites after flips. */
-  public Analysis flipped(FlipResult result) {
-    return sites(document, result.after(), Scene.of(result));
-  }
-
-  /** This analysis with the best triangulation of the sites that was found. */
-  public Analysis optimized(Optimum best) {
-    return sites(document, best.triangulation(), Scene.of(best));
+  /** This analysis with another solution for the sites. */
+  public Analysis with(Solution other) {
+    return sites(document, other);
   }
 
   /** Whether this is a whole analysis of these points, wherever it was made. */
@@ -114,7 +113,7 @@ public final class Analysis {
   /** This analysis with other wishes; what was said of the old ones is no longer shown. */
   Analysis wishing(ParityGoal wishes) {
     return new Analysis(
-        document.with(wishes), triangulation, defects, scene.withoutVerdict(), growing, pending);
+        document.with(wishes), solution, defects, scene.withoutVerdict(), growing, pending);
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
@@ -128,12 +127,12 @@ public final class Analysis {
     return document;
   }
 
-  /** The triangulation of the sites; nothing for a polygon, or for fewer than three sites. */
-  public Optional<Triangulation> triangulation() {
-    return triangulation;
+  /** The triangulation of the sites; nothing for a polygon, or for sites without a triangle. */
+  public Optional<Solution> solution() {
+    return solution;
   }
 
-  /** What keeps the polygon from being simple. */
+  /** What keeps the polygon from being simple, or the sites from having a triangle. */
   public List<Defect> defects() {
     return defects;
   }

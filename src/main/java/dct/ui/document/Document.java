@@ -1,8 +1,10 @@
 package dct.ui.document;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.problem.Instance;
 
 /**
  * A state of what is edited; immutable.
@@ -31,6 +33,19 @@ public record Document(Domain domain, Points points, ParityGoal wishes) {
   /** This document with other wishes. */
   public Document with(ParityGoal others) {
     return new Document(domain, points, others);
+  }
+
+  /**
+   * The points as an instance with their wishes.
+   *
+   * @param name what people call it
+   * @throws dct.core.geometry.InvalidGeometryException if they cannot be triangulated
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public Instance instance(String name, Progress progress) {
+    Instance instance = Instance.of(domain, name, points, progress);
+    // While a site is dragged over another, one of the two is missing.
+    return instance.size() == wishes.size() ? instance.with(wishes) : instance;
   }
 
   /** The number of vertices. */

@@ -7,6 +7,8 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.experiment.generate.PolygonShape;
+import dct.problem.Instance;
+import dct.problem.Method;
 import dct.render.chart.Chart;
 import java.util.Arrays;
 import java.util.List;
@@ -23,7 +25,9 @@ class PolygonsStudyTest {
           new StudyPlan(SHAPES, List.of(10, 100), 4, 1),
           Map.of(
               PENTAGON,
-              SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 2, 1, 0, 4), Progress.NONE)));
+              Instance.of(
+                  PENTAGON,
+                  SimplePolygon.of(Points.ofPairs(0, 0, 4, 0, 4, 4, 2, 1, 0, 4), Progress.NONE))));
 
   private static List<StudyRow> rows;
 
@@ -53,8 +57,12 @@ class PolygonsStudyTest {
     for (StudyRow row : rows) {
       int best = row.count(PolygonsStudy.BEST);
       assertThat(row.count(PolygonsStudy.LIMIT)).as("%s", row).isEqualTo(best);
-      for (PolygonsStudy.Method method : PolygonsStudy.Method.values()) {
-        assertThat(List.of(row.count(method.before()), row.count(method.after()), best))
+      for (Method method : PolygonsStudy.METHODS) {
+        assertThat(
+                List.of(
+                    row.count(PolygonsStudy.before(method)),
+                    row.count(PolygonsStudy.after(method)),
+                    best))
             .as("%s", row)
             .isSorted();
       }
@@ -79,7 +87,7 @@ class PolygonsStudyTest {
         .forEach(
             row -> {
               assertThat(row.count(PolygonsStudy.PIECES)).isOne();
-              assertThat(row.count(PolygonsStudy.Method.AQT.before()))
+              assertThat(row.count(PolygonsStudy.before(Method.CONVEX_EVEN)))
                   .isEqualTo(row.count(PolygonsStudy.BEST));
             });
   }
@@ -112,7 +120,7 @@ class PolygonsStudyTest {
   void there_are_pictures_of_random_and_given_polygons() {
     for (StudyRow row : List.of(rows.get(0), rows.get(rows.size() - 1))) {
       List<StudyPicture> pictures = STUDY.pictures(row.trial(), Progress.NONE);
-      int even = row.count(PolygonsStudy.Method.AQT.after());
+      int even = row.count(PolygonsStudy.after(Method.CONVEX_EVEN));
       assertThat(pictures).hasSize(3);
       assertThat(String.join(" ", pictures.get(1).scene().counts()))
           .as("%s", row)

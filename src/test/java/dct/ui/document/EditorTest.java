@@ -3,11 +3,8 @@ package dct.ui.document;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
-import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
-import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.best.BestTriangulation;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
@@ -25,11 +22,11 @@ class EditorTest {
   void theAnalysisFollowsEveryEdit() {
     sites.perform(Edit.draw(sites.document(), 0, 0));
     sites.perform(Edit.draw(sites.document(), 9, 0));
-    assertThat(sites.shown().triangulation()).isEmpty();
+    assertThat(sites.shown().solution()).isEmpty();
     sites.perform(Edit.draw(sites.document(), 4, 7));
-    assertThat(sites.shown().triangulation().orElseThrow().triangleCount()).isEqualTo(1);
+    assertThat(sites.shown().solution().orElseThrow().triangulation().triangleCount()).isEqualTo(1);
     sites.undo();
-    assertThat(sites.shown().triangulation()).isEmpty();
+    assertThat(sites.shown().solution()).isEmpty();
   }
 
   @Test
@@ -54,12 +51,12 @@ class EditorTest {
     Analysis fresh = flipped();
     sites.showInstead(fresh);
     assertThat(sites.shown().scene().counts()).hasSize(2);
-    assertThat(sites.shown().triangulation()).isEqualTo(fresh.triangulation());
+    assertThat(sites.shown().solution()).isEqualTo(fresh.solution());
   }
 
   private Analysis flipped() {
     Analysis shown = sites.shown();
-    return shown.flipped(ScanFlip.run(shown.triangulation().orElseThrow(), Progress.NONE));
+    return shown.with(shown.solution().orElseThrow().flipped(Progress.NONE));
   }
 
   @Test
@@ -69,11 +66,11 @@ class EditorTest {
     sites.showInstead(flips);
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
     assertThat(sites.shown().document()).isEqualTo(sites.document());
-    assertThat(sites.shown().triangulation()).isEqualTo(flips.triangulation());
+    assertThat(sites.shown().solution()).isEqualTo(flips.solution());
     assertThat(sites.shown().scene().counts()).hasSize(1);
     sites.undo();
     assertThat(sites.shown().document().wishes().wish(3)).isEqualTo(Wish.EVEN);
-    assertThat(sites.shown().triangulation()).isEqualTo(flips.triangulation());
+    assertThat(sites.shown().solution()).isEqualTo(flips.solution());
   }
 
   @Test
@@ -81,19 +78,15 @@ class EditorTest {
     load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
     Analysis searched = sites.shown();
     Analysis best =
-        searched.optimized(
-            BestTriangulation.of(
-                searched.triangulation().orElseThrow(),
-                ParityGoal.allEven(7),
-                SearchLimits.DEFAULT,
-                Progress.NONE));
+        searched.with(
+            searched.solution().orElseThrow().optimized(SearchLimits.DEFAULT, Progress.NONE));
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
     sites.showInstead(best);
     assertThat(sites.shown().scene().counts().get(0)).doesNotContain("—");
     sites.undo();
     sites.showInstead(best);
     assertThat(sites.shown().scene().counts().get(0)).contains("—");
-    assertThat(sites.shown().triangulation()).isEqualTo(best.triangulation());
+    assertThat(sites.shown().solution()).isEqualTo(best.solution());
   }
 
   @Test
@@ -121,13 +114,13 @@ class EditorTest {
           sites.load(new Document(Domain.SITES, many), "many");
           // The sites are there at once, their triangulation is not.
           assertThat(sites.shown().document().points()).isEqualTo(many);
-          assertThat(sites.shown().triangulation()).isEmpty();
+          assertThat(sites.shown().solution()).isEmpty();
         });
     long end = System.nanoTime() + 20_000_000_000L;
-    while (sites.shown().triangulation().isEmpty() && System.nanoTime() < end) {
+    while (sites.shown().solution().isEmpty() && System.nanoTime() < end) {
       SwingUtilities.invokeAndWait(() -> {});
     }
-    assertThat(sites.shown().triangulation()).isPresent();
+    assertThat(sites.shown().solution()).isPresent();
   }
 
   @Test
@@ -159,7 +152,7 @@ class EditorTest {
           () ->
               there[0] =
                   jobs.isIdle()
-                      && sites.shown().triangulation().isPresent()
+                      && sites.shown().solution().isPresent()
                       && sites.shown().document().points().equals(points));
     }
     assertThat(there[0]).isTrue();

@@ -25,15 +25,18 @@ import java.util.concurrent.CancellationException;
  *
  * <p>Takes any simple polygon. A strictly convex one whose vertices shall all be even is handed to
  * {@link Aqt}, which is optimal there. Otherwise the exact table over the pairs of vertices that
- * see each other ({@link ParityTable}) gives the optimum, proven, if its pairs and its steps stay
- * within the fixed budget of {@link SearchLimits}, which is checked first. Larger polygons go to
- * {@link PolygonImprover}, whose result is the best found, never worse than Scan-Flip on
- * Partitioning-AQT, with the bound of {@link PolygonBounds}.
+ * see each other ({@link ParityTable}) gives the optimum, proven, if its memory and its steps stay
+ * within bounds that are checked first. Larger polygons go to {@link PolygonImprover}, whose result
+ * is the best found, never worse than Scan-Flip on Partitioning-AQT, with the bound of {@link
+ * PolygonBounds}.
  *
  * <p>Deterministic for the seed and effort, unless the time limit or a cancel ends it early: then
  * the best so far is returned at once, marked as interrupted.
  */
 public final class PolygonOptimizer {
+  private static final int BYTES_A_PAIR = 48;
+  private static final long MOST_STEPS = 20_000_000_000L; // about a minute on two cores
+
   private final SimplePolygon polygon;
   private final ParityGoal goal;
   private final SearchLimits limits;
@@ -72,8 +75,8 @@ public final class PolygonOptimizer {
 
   /** The exact optimum, or null if the table would be too large. */
   private Triangulation exact(Triangulation start) {
-    VisibilityGraph graph = VisibilityGraph.of(polygon, start, SearchLimits.MOST_PAIRS, progress);
-    if (graph == null || ParityTable.steps(graph) > SearchLimits.MOST_STEPS) {
+    VisibilityGraph graph = VisibilityGraph.of(polygon, start, mostPairs(), progress);
+    if (graph == null || ParityTable.steps(graph) > MOST_STEPS) {
       return null;
     }
     ParityGoal.Wish[] wishes = new ParityGoal.Wish[polygon.size()];
@@ -86,6 +89,13 @@ public final class PolygonOptimizer {
     Dcel dcel = Dcel.cycle(polygon.walk());
     table.cut(dcel, corner);
     return new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL);
+  }
+
+  /** Half of the memory that the program may still take. */
+  private static long mostPairs() {
+    Runtime runtime = Runtime.getRuntime();
+    long free = runtime.maxMemory() - runtime.totalMemory() + runtime.freeMemory();
+    return Math.min(Integer.MAX_VALUE / 4, free / 2 / BYTES_A_PAIR);
   }
 
   private LowerBound proven(Triangulation exact, LowerBound bound) {

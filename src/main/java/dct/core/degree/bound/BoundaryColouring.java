@@ -95,7 +95,7 @@ public final class BoundaryColouring {
   }
 
   /** The bound for all vertices even: 0 if 3 divides h, or else 2. */
-  static LowerBound allEven(int h, String what) {
+  public static LowerBound allEven(int h, String what) {
     return h % 3 == 0
         ? new LowerBound(0, h + " " + what + ", " + h + " ≡ 0 mod 3")
         : new LowerBound(2, h + " " + what + ", 3 does not divide " + h);

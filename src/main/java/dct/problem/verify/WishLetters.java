@@ -1,4 +1,4 @@
-package dct.io;
+package dct.problem.verify;
 
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
@@ -11,7 +11,7 @@ public final class WishLetters {
   private WishLetters() {}
 
   /** The letters of a goal, in the order of the vertices. */
-  static String of(ParityGoal goal) {
+  public static String of(ParityGoal goal) {
     StringBuilder letters = new StringBuilder(goal.size());
     for (int v = 0; v < goal.size(); v++) {
       letters.append(

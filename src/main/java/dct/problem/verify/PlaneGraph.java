@@ -1,5 +1,6 @@
-package dct.cli;
+package dct.problem.verify;
 
+import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -87,7 +88,8 @@ final class PlaneGraph {
     return -points.orient(origin[e], target(e), target(f));
   }
 
-  private boolean isUpper(int e) {
+  /** Whether the target of e is above its origin, or on the same height to the right of it. */
+  boolean isUpper(int e) {
     return points.yxLess(origin[e], target(e));
   }
 
@@ -129,6 +131,15 @@ final class PlaneGraph {
     return around[first[lowest + 1] - 1];
   }
 
+  /** The topology of a plane triangulation, half-edges numbered as here. */
+  Dcel toDcel() {
+    int[] prev = new int[next.length];
+    for (int e = 0; e < next.length; e++) {
+      prev[next[e]] = e;
+    }
+    return Dcel.of(points.size(), next.clone(), prev, origin.clone(), outer());
+  }
+
   int halfEdges() {
     return origin.length;
   }
@@ -143,6 +154,21 @@ final class PlaneGraph {
 
   int target(int e) {
     return origin[e ^ 1];
+  }
+
+  /** The k-th half-edge that leaves vertex v, counter-clockwise from the direction of x on. */
+  int around(int v, int k) {
+    return around[first[v] + k];
+  }
+
+  /** The third corner of the triangle left of e. */
+  int apex(int e) {
+    return target(next[e]);
+  }
+
+  /** What messages call the edge of e. */
+  String name(int e) {
+    return "v" + origin[e] + "–v" + target(e);
   }
 
   /** Whether the face on the left of e is a triangle with its corners counter-clockwise. */

@@ -1,46 +1,43 @@
-package dct.io;
+package dct.problem.verify;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.core.triangulate.EdgeKind;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
 /**
- * What a JSON file says of points and perhaps of their triangulation; immutable.
+ * What a file says of points and perhaps of their triangulation; immutable.
  *
  * <p>Nothing of it has been checked but its form: points are finite, edges are pairs of whole
  * numbers with one of the words for a kind.
  */
-public final class StoredResult {
-
-  /**
-   * An edge as it stands in the file.
-   *
-   * @param from the number of one vertex, perhaps of none that there is
-   * @param to the number of the other
-   * @param kind what the edge is said to be
-   * @param line where it stands
-   */
-  public record Edge(int from, int to, EdgeKind kind, int line) {}
-
+public final class Claims {
   private final String source;
   private final Map<String, Object> values; // strings, doubles and booleans by their names
   private final Points points;
   private final int[] pointLines;
-  private final EdgeColumns edges;
+  private final ClaimedEdges edges; // null if the file has none
 
-  StoredResult(
+  /**
+   * What stands in a file.
+   *
+   * @param source the file's name as the user gave it, or "-" for standard input
+   * @param values strings, doubles and booleans by the names of their fields
+   * @param pointLines the line of each point
+   * @param edges null if the file has no list of edges
+   */
+  public Claims(
       String source,
       Map<String, Object> values,
       Points points,
       int[] pointLines,
-      EdgeColumns edges) {
+      ClaimedEdges edges) {
     this.source = source;
     this.values = values;
     this.points = points;
-    this.pointLines = pointLines;
+    this.pointLines = pointLines.clone();
     this.edges = edges;
   }
 
@@ -49,14 +46,9 @@ public final class StoredResult {
     return source;
   }
 
-  /** The points and what they are said to be, without the triangulation. */
-  public PointDocument document() {
-    return new PointDocument(source, domain(), points, pointLines);
-  }
-
   /** What the points are said to be. */
   public Optional<Domain> domain() {
-    return text("kind").flatMap(DomainWord::parse);
+    return text("kind").flatMap(Domain::parse);
   }
 
   /** The points. */
@@ -64,19 +56,24 @@ public final class StoredResult {
     return points;
   }
 
+  /** The line of the file that point i stands on, from 1 on. */
+  public int line(int i) {
+    return pointLines[i];
+  }
+
+  /** The lines of all points. */
+  public int[] lines() {
+    return pointLines.clone();
+  }
+
   /** Whether the file has a list of edges. */
   public boolean hasEdges() {
     return edges != null;
   }
 
-  /** The number of edges listed. */
-  public int edgeCount() {
-    return edges.size();
-  }
-
-  /** The edge listed as number i, from 0 on. */
-  public Edge edge(int i) {
-    return edges.get(i);
+  /** The edges; only if there are any. */
+  public ClaimedEdges edges() {
+    return edges;
   }
 
   /** The text in the field of this name, if it is there and a text. */
@@ -89,6 +86,13 @@ public final class StoredResult {
     return values.get(name) instanceof Double number && number == Math.rint(number)
         ? OptionalLong.of(number.longValue())
         : OptionalLong.empty();
+  }
+
+  /** The number in the field of this name, if it is there and a number. */
+  public OptionalDouble number(String name) {
+    return values.get(name) instanceof Double number
+        ? OptionalDouble.of(number)
+        : OptionalDouble.empty();
   }
 
   /** The truth value in the field of this name, if it is there and one. */

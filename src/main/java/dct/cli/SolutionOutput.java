@@ -1,0 +1,40 @@
+package dct.cli;
+
+import dct.io.OffFile;
+import dct.io.PointFile;
+import dct.io.ResultJson;
+import dct.problem.Instance;
+import dct.problem.Solution;
+import dct.render.PictureFile;
+import dct.render.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Writes a solution in the format that the name of an output asks for. */
+final class SolutionOutput {
+  private SolutionOutput() {}
+
+  /**
+   * Writes one output; {@code -} is the whole result on standard output.
+   *
+   * @throws UsageException if the ending of the name is no format
+   */
+  static void write(
+      Solution solution, Optional<ResultJson.Millis> millis, String output, Console console)
+      throws IOException {
+    if (output.equals(Verb.STANDARD_STREAM)) {
+      ResultJson.write(console.out(), solution, millis);
+      console.out().flush();
+      return;
+    }
+    Path file = Path.of(output);
+    Instance instance = solution.instance();
+    switch (Verb.ending(output)) {
+      case TXT -> PointFile.write(file, instance.domain(), instance.points());
+      case JSON -> ResultJson.write(file, solution, millis);
+      case OFF -> OffFile.write(file, solution.triangulation());
+      default -> PictureFile.write(Scene.of(solution), file);
+    }
+  }
+}

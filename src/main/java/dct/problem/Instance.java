@@ -1,0 +1,196 @@
+package dct.problem;
+
+import dct.core.Progress;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
+import dct.core.degree.best.BestTriangulation;
+import dct.core.degree.best.BoundCheck;
+import dct.core.geometry.Defect;
+import dct.core.geometry.InvalidGeometryException;
+import dct.core.geometry.Points;
+import dct.core.geometry.SimplePolygon;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+
+/**
+ * What is to be triangulated: a simple polygon, or sites that are not all on one line; with the
+ * parity wished of each vertex and a name for people. Immutable.
+ *
+ * <p>Whether points are usable is decided in {@link #of} and nowhere else, so that mouse, file,
+ * clipboard and generator are judged alike.
+ */
+public sealed interface Instance {
+
+  /**
+   * Judges points, in O(n log n).
+   *
+   * @param name what people call them: a file's name, or "-" for standard input
+   * @param points the vertices in boundary order, or the sites; exact duplicates among sites are
+   *     merged into the first
+   * @throws InvalidGeometryException if the polygon is not simple, or the sites are fewer than
+   *     three or all on one line
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static Instance of(Domain domain, String name, Points points, Progress progress) {
+    return switch (domain) {
+      case POLYGON -> of(name, SimplePolygon.of(points, progress));
+      case SITES -> {
+        Sites sites = usable(points, progress);
+        yield new OfSites(name, sites, ParityGoal.allEven(sites.size()));
+      }
+    };
+  }
+
+  /** A polygon that is known to be simple, every vertex wished even. */
+  static OfPolygon of(String name, SimplePolygon polygon) {
+    return new OfPolygon(name, polygon, ParityGoal.allEven(polygon.size()));
+  }
+
+  private static Sites usable(Points points, Progress progress) {
+    if (points.size() < 3) {
+      throw new InvalidGeometryException(Defect.ofSites(Defect.Kind.FEW_SITES, points));
+    }
+    Sites sites = Sites.of(points, progress);
+    if (sites.areOnOneLine()) {
+      throw new InvalidGeometryException(Defect.ofSites(Defect.Kind.SITES_ON_ONE_LINE, points));
+    }
+    return sites;
+  }
+
+  /** What people call it. */
+  String name();
+
+  /** What is triangulated: the inside of a polygon, or the hull of sites. */
+  Domain domain();
+
+  /** The vertices, with the numbers that triangulations use; merged duplicates have none. */
+  Points points();
+
+  /** The parity wished of each vertex. */
+  ParityGoal wishes();
+
+  /** The same with other wishes, one for each vertex. */
+  Instance with(ParityGoal wishes);
+
+  /** The same under another name. */
+  Instance named(String other);
+
+  /** How many exact duplicates were merged. */
+  int merged();
+
+  /** What it is, for a person: {@code a simple polygon with 12 vertices, clockwise}. */
+  String description();
+
+  /**
+   * The triangulation that grants the most wishes, or the best found within the limits.
+   *
+   * @param start any triangulation of this instance
+   */
+  Optimum best(Triangulation start, SearchLimits limits, Progress progress);
+
+  /** What can be said of the claim that no triangulation leaves fewer wishes open than this. */
+  BoundCheck check(int claimed, Progress progress);
+
+  /** The number of vertices, merged duplicates not counted. */
+  default int size() {
+    return points().size();
+  }
+
+  /** A remark on merged duplicates, empty if there are none. */
+  default String mergedRemark() {
+    return merged() == 0
+        ? ""
+        : " (" + merged() + (merged() == 1 ? " duplicate merged)" : " duplicates merged)");
+  }
+
+  /** A simple polygon, holes excluded. */
+  record OfPolygon(String name, SimplePolygon polygon, ParityGoal wishes) implements Instance {
+    @Override
+    public Domain domain() {
+      return Domain.POLYGON;
+    }
+
+    @Override
+    public Points points() {
+      return polygon.points();
+    }
+
+    @Override
+    public Instance with(ParityGoal others) {
+      return new OfPolygon(name, polygon, others);
+    }
+
+    @Override
+    public Instance named(String other) {
+      return new OfPolygon(other, polygon, wishes);
+    }
+
+    @Override
+    public int merged() {
+      return 0;
+    }
+
+    @Override
+    public String description() {
+      return "a simple polygon with "
+          + size()
+          + " vertices, "
+          + (polygon.isClockwise() ? "clockwise" : "counter-clockwise");
+    }
+
+    @Override
+    public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
+      return BestTriangulation.of(polygon, wishes, limits, progress);
+    }
+
+    @Override
+    public BoundCheck check(int claimed, Progress progress) {
+      return BoundCheck.of(polygon, wishes, claimed, progress);
+    }
+  }
+
+  /** Point sites that span a triangle at least. */
+  record OfSites(String name, Sites sites, ParityGoal wishes) implements Instance {
+    @Override
+    public Domain domain() {
+      return Domain.SITES;
+    }
+
+    @Override
+    public Points points() {
+      return sites.points();
+    }
+
+    @Override
+    public Instance with(ParityGoal others) {
+      return new OfSites(name, sites, others);
+    }
+
+    @Override
+    public Instance named(String other) {
+      return new OfSites(other, sites, wishes);
+    }
+
+    @Override
+    public int merged() {
+      return sites.merged();
+    }
+
+    @Override
+    public String description() {
+      return size() + " usable sites" + mergedRemark();
+    }
+
+    @Override
+    public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
+      return BestTriangulation.of(start, wishes, limits, progress);
+    }
+
+    @Override
+    public BoundCheck check(int claimed, Progress progress) {
+      return BoundCheck.of(sites, wishes, claimed, progress);
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package dct.problem.verify;
+
+import dct.core.Progress;
+import dct.core.dcel.Dcel;
+import dct.core.degree.FlipResult;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
+import dct.problem.Instance;
+import dct.problem.Solution;
+import java.util.function.IntFunction;
+
+/**
+ * The solution that a result file holds. Its edges are checked to be a triangulation; what the file
+ * says of bounds is taken as it stands, {@link Verifier} checks that.
+ */
+public final class Restoration {
+  private final Claims claims;
+  private final StoredTriangulation stored;
+
+  private Restoration(Claims claims) {
+    this.claims = claims;
+    this.stored = new StoredTriangulation(claims);
+  }
+
+  /**
+   * Makes the solution.
+   *
+   * @throws FalseClaim if the file holds no triangulation of its points
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Solution of(Claims claims, Progress progress) {
+    return new Restoration(claims).solution(progress);
+  }
+
+  private Solution solution(Progress progress) {
+    stored.checkForm();
+    stored.checkPoints(progress);
+    stored.checkTriangulation(progress);
+    Instance instance = stored.instance();
+    Triangulation made = triangulation(stored.graph().toDcel(), claims.edges()::kind);
+    Solution plain = Solution.of(instance, stored.method(), made);
+    return switch (claims.text("post").orElse("none")) {
+      case "flip" -> plain.flipped(flips(made));
+      case "optimize" -> optimized(plain);
+      default -> plain;
+    };
+  }
+
+  private Triangulation triangulation(Dcel dcel, IntFunction<EdgeKind> kinds) {
+    return new Triangulation(stored.instance().domain(), stored.instance().points(), dcel, kinds);
+  }
+
+  private FlipResult flips(Triangulation after) {
+    int flips = stored.undoFlips().count();
+    Dcel dcel = after.dcel().copy();
+    for (int edge = 0; edge < after.edgeCount(); edge++) {
+      if (after.kind(edge) == EdgeKind.FLIPPED) {
+        dcel.flip(2 * edge);
+      }
+    }
+    Triangulation before =
+        triangulation(
+            dcel,
+            edge -> after.kind(edge) == EdgeKind.FLIPPED ? EdgeKind.DIAGONAL : after.kind(edge));
+    return new FlipResult(before, after, flips);
+  }
+
+  private Solution optimized(Solution plain) {
+    int n = plain.instance().size();
+    boolean wishes = claims.text("wishes").isPresent();
+    ParityGoal goal =
+        claims.text("wishes").flatMap(WishLetters::parse).orElse(ParityGoal.allEven(n));
+    FalseClaim.unless(goal.size() == n, "the field \"wishes\" is not " + n + " letters e, o or a");
+    LowerBound bound =
+        new LowerBound(
+            (int) Verifier.whole(claims, wishes ? "unsatisfiedLowerBound" : "oddLowerBound"),
+            claims.text("boundReason").orElse("no reason given"));
+    Triangulation best = plain.triangulation();
+    boolean interrupted = claims.flag("interrupted").orElse(false);
+    return Solution.of(plain.instance().with(goal), plain.method(), best)
+        .optimized(new Optimum(best, goal, goal.unsatisfied(best), bound, interrupted), limits());
+  }
+
+  private SearchLimits limits() {
+    SearchLimits usual = SearchLimits.DEFAULT;
+    return new SearchLimits(
+        claims.whole("seed").orElse(usual.seed()),
+        usual.effort(),
+        claims.number("timeLimit").orElse(usual.seconds()));
+  }
+}

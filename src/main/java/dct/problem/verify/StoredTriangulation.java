@@ -1,0 +1,211 @@
+package dct.problem.verify;
+
+import dct.core.Progress;
+import dct.core.geometry.InvalidGeometryException;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
+import dct.problem.Instance;
+import dct.problem.Method;
+
+/**
+ * The triangulation that a result file holds, proven to be one from its points and edges alone.
+ *
+ * <p>That the edges triangulate the domain is proven so: the faces of the drawing, found from the
+ * angles at the vertices, are counter-clockwise triangles but for one; Euler's formula makes them,
+ * glued along their edges, a disk; its rim is the polygon itself or a convex polygon. A map of a
+ * disk that keeps every triangle's orientation and takes the rim once round a simple polygon covers
+ * each point of the inside exactly once and nothing outside. So no two edges cross, and the areas
+ * add up.
+ *
+ * <p>Exact; O(n log n) time.
+ */
+final class StoredTriangulation {
+  private final Claims claims;
+  private final Points points;
+  private final int n;
+  private Domain domain;
+  private Method method;
+  private Instance instance;
+  private PlaneGraph graph;
+  private boolean[] outer; // by half-edge: whether the outer face is on its left
+  private int boundary; // edges of the outer face
+
+  /** What the claims hold; nothing is checked yet. */
+  StoredTriangulation(Claims claims) {
+    this.claims = claims;
+    this.points = claims.points();
+    this.n = points.size();
+  }
+
+  /**
+   * Checks that domain, method and edges are named.
+   *
+   * @throws FalseClaim if one of them is not
+   */
+  void checkForm() {
+    domain = claims.domain().orElseThrow(() -> new FalseClaim("the field \"kind\" is missing"));
+    FalseClaim.unless(
+        claims.hasEdges(),
+        "the field \"edgeList\" is missing, these are points without a triangulation");
+    method =
+        Method.of(domain, claims.text("algorithm").orElse(""))
+            .orElseThrow(() -> new FalseClaim("the algorithm is none of " + Method.words(domain)));
+  }
+
+  /**
+   * Checks that the points are what they are said to be.
+   *
+   * @throws FalseClaim if they are not
+   */
+  void checkPoints(Progress progress) {
+    FalseClaim.unless(n >= 3, "there are fewer than three vertices");
+    try {
+      String name = claims.text("input").orElse(claims.source());
+      instance = Instance.of(domain, name, points, progress);
+    } catch (InvalidGeometryException e) {
+      throw new FalseClaim(claims.line(e.defect().first()), e.defect().message());
+    }
+    FalseClaim.unless(instance.merged() == 0, "two sites are at the same place");
+  }
+
+  /**
+   * Checks that the edges triangulate the domain.
+   *
+   * @throws FalseClaim if they do not
+   */
+  void checkTriangulation(Progress progress) {
+    checkEnds();
+    progress.checkCancelled();
+    graph = new PlaneGraph(points, claims.edges().fromAll(), claims.edges().toAll());
+    progress.checkCancelled();
+    for (int v = 0; v < n; v++) {
+      FalseClaim.unless(graph.degree(v) > 1, "vertex v" + v + " has fewer than two edges");
+    }
+    int e = graph.overlapping();
+    if (e >= 0) {
+      throw lie(e, "edge " + graph.name(e) + " lies on another edge");
+    }
+    markOuter();
+    checkFaces();
+    checkRim();
+  }
+
+  private void checkEnds() {
+    ClaimedEdges edges = claims.edges();
+    for (int i = 0; i < edges.size(); i++) {
+      checkVertex(edges.from(i), edges.line(i));
+      checkVertex(edges.to(i), edges.line(i));
+      FalseClaim.unless(
+          edges.from(i) != edges.to(i),
+          edges.line(i),
+          "the edge leads from vertex v" + edges.from(i) + " to itself");
+    }
+  }
+
+  private void checkVertex(int v, int line) {
+    FalseClaim.unless(v >= 0 && v < n, line, "there is no vertex v" + v);
+  }
+
+  private void markOuter() {
+    outer = new boolean[graph.halfEdges()];
+    boolean[] seen = new boolean[n];
+    int start = graph.outer();
+    int e = start;
+    do {
+      int v = graph.origin(e);
+      FalseClaim.unless(!seen[v], line(e), "the rim passes twice through vertex v" + v);
+      seen[v] = true;
+      outer[e] = true;
+      boundary++;
+      e = graph.next(e);
+    } while (e != start);
+  }
+
+  private void checkFaces() {
+    int inner = 0;
+    for (int e = 0; e < graph.halfEdges(); e++) {
+      if (!outer[e]) {
+        if (!graph.isTriangle(e)) {
+          throw lie(e, "on one side of edge " + graph.name(e) + " is no triangle");
+        }
+        inner++;
+      }
+    }
+    // Each vertex has edges, and a part of its own would have an outer face of its own.
+    int euler = n - graph.halfEdges() / 2 + inner / 3 + 1;
+    FalseClaim.unless(euler == 2, "vertices − edges + faces is " + euler + ", not 2");
+  }
+
+  private void checkRim() {
+    int turns = 0;
+    for (int e = 0; e < outer.length; e++) {
+      if (outer[e]) {
+        turns += domain == Domain.POLYGON ? side(e) : rimTurn(e);
+      }
+    }
+    FalseClaim.unless(
+        domain == Domain.POLYGON ? boundary == n : turns == 2, "the rim is not that of the domain");
+  }
+
+  /** Checks that an edge of the rim is a side of the polygon; 0. */
+  private int side(int e) {
+    int step = Math.floorMod(graph.target(e) - graph.origin(e), n);
+    if (step != 1 && step != n - 1) {
+      throw lie(e, "edge " + graph.name(e) + " is on the rim and no side");
+    }
+    return 0;
+  }
+
+  /** Checks that the rim, clockwise, does not turn left; 1 where it changes between up and down. */
+  private int rimTurn(int e) {
+    int f = graph.next(e);
+    int turn = points.orient(graph.origin(e), graph.target(e), graph.target(f));
+    if (turn > 0) {
+      throw lie(e, "the rim is not convex at vertex v" + graph.target(e));
+    }
+    return graph.isUpper(e) == graph.isUpper(f) ? 0 : 1;
+  }
+
+  FalseClaim lie(int e, String text) {
+    return new FalseClaim(line(e), text);
+  }
+
+  private int line(int e) {
+    return claims.edges().line(e >> 1);
+  }
+
+  Method method() {
+    return method;
+  }
+
+  Instance instance() {
+    return instance;
+  }
+
+  PlaneGraph graph() {
+    return graph;
+  }
+
+  /** The number of edges on the rim, which is that of the vertices there. */
+  int boundary() {
+    return boundary;
+  }
+
+  boolean isOuter(int e) {
+    return outer[e];
+  }
+
+  boolean isRim(int edge) {
+    return outer[2 * edge] || outer[2 * edge + 1];
+  }
+
+  boolean isFlipped(int edge) {
+    return claims.edges().kind(edge) == EdgeKind.FLIPPED;
+  }
+
+  /** The edges before the flips that the kinds of the edges tell of. */
+  FlipUndo undoFlips() {
+    return new FlipUndo(points, graph, claims.edges(), this::isFlipped);
+  }
+}

@@ -1,0 +1,245 @@
+package dct.problem.verify;
+
+import dct.core.Progress;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
+import dct.problem.Instance;
+import dct.problem.verify.Verdict.Check;
+import dct.problem.verify.Verdict.Outcome;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Checks everything that a result file claims of its triangulation against the file's own points
+ * and edges, and believes nothing in it.
+ *
+ * <p>{@link StoredTriangulation} proves that it is a triangulation. Flips of a Scan-Flip run lie in
+ * quadrilaterals that share no triangle, so they are undone from the result alone: the counts
+ * before are recounted, and of what was there before it is checked that it is Delaunay, or that its
+ * partition cuts pieces of the right form. The lower bound is computed anew. How the result came to
+ * be (times, seed, limits, the input's name) is no claim about it, and is not looked at.
+ *
+ * <p>Exact; O(n log n) time, and what the bound takes.
+ */
+public final class Verifier {
+  private static final List<String> POSTS = List.of("none", "flip", "optimize");
+
+  private final Claims claims;
+  private final Optional<Instance> input;
+  private final Progress progress;
+  private final List<Check> checks = new ArrayList<>();
+  private final StoredTriangulation stored;
+  private PlaneGraph before; // the flips
+
+  private Verifier(Claims claims, Optional<Instance> input, Progress progress) {
+    this.claims = claims;
+    this.input = input;
+    this.progress = progress;
+    this.stored = new StoredTriangulation(claims);
+  }
+
+  /**
+   * Checks everything, up to the first claim that is false.
+   *
+   * @param input what the file should be a result of, if that is known
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Verdict verify(Claims claims, Optional<Instance> input, Progress progress) {
+    return new Verifier(claims, input, progress).run();
+  }
+
+  private Verdict run() {
+    try {
+      check("the form", this::checkForm);
+      check("the points", () -> stored.checkPoints(progress));
+      checkInput();
+      check("a triangulation of the domain", () -> stored.checkTriangulation(progress));
+      check("the counts", this::checkCounts);
+      check("the kinds of edges", this::checkKinds);
+      check("the flips", this::checkFlips);
+      check("the degrees", this::checkDegrees);
+      check("the method", this::checkMethod);
+      checks.add(new BoundClaim(claims, stored, progress).check());
+    } catch (FalseClaim lie) {
+      // the check that failed is the last of the list
+    }
+    return new Verdict(checks);
+  }
+
+  private void check(String what, Runnable step) {
+    progress.checkCancelled();
+    try {
+      step.run();
+      checks.add(new Check(what, Outcome.TRUE, "", 1));
+    } catch (FalseClaim lie) {
+      checks.add(new Check(what, Outcome.FALSE, lie.getMessage(), lie.line()));
+      throw lie;
+    }
+  }
+
+  private void checkForm() {
+    stored.checkForm();
+    String post = claims.text("post").orElse("");
+    FalseClaim.unless(
+        POSTS.contains(post), "the field \"post\" is none of \"none\", \"flip\", \"optimize\"");
+    long merged = whole("merged");
+    boolean possible = stored.method().domain() == Domain.SITES ? merged >= 0 : merged == 0;
+    FalseClaim.unless(possible, "the field \"merged\" cannot be " + merged);
+  }
+
+  /** Compares points and merged duplicates with the input, which alone can tell of duplicates. */
+  private void checkInput() {
+    long merged = whole("merged");
+    if (input.isPresent()) {
+      check("the input", () -> compare(input.get()));
+    } else if (merged > 0) {
+      String open = merged + " merged duplicates were not recounted, for want of the input";
+      checks.add(new Check("the input", Outcome.OPEN, open, 1));
+    }
+  }
+
+  private void compare(Instance given) {
+    Points mine = stored.instance().points();
+    Points its = given.points();
+    String name = given.name();
+    FalseClaim.unless(
+        given.domain() == stored.instance().domain(),
+        "the field \"kind\" is not \"" + given.domain().word() + "\", as " + name + " is");
+    FalseClaim.unless(
+        mine.size() == its.size(),
+        mine.size() + " points are here, and " + its.size() + " in " + name);
+    for (int v = 0; v < mine.size(); v++) {
+      FalseClaim.unless(
+          mine.x(v) == its.x(v) && mine.y(v) == its.y(v),
+          claims.line(v),
+          "vertex v" + v + " is elsewhere in " + name);
+    }
+    claim("merged", given.merged());
+  }
+
+  private void checkCounts() {
+    int n = stored.instance().size();
+    int edges = claims.edges().size();
+    claim("vertices", n);
+    claim("edges", edges);
+    claim("boundary", stored.boundary());
+    claim("triangles", edges - n + 1L);
+  }
+
+  private void checkKinds() {
+    boolean partitions = Pieces.areMadeBy(stored.method()) && !isPost("optimize");
+    for (int i = 0; i < claims.edges().size(); i++) {
+      EdgeKind kind = claims.edges().kind(i);
+      boolean rim = stored.isRim(i);
+      String edge = "edge " + stored.graph().name(2 * i) + " is ";
+      int line = claims.edges().line(i);
+      FalseClaim.unless(
+          rim == (kind == EdgeKind.BOUNDARY),
+          line,
+          edge + (rim ? "on the boundary" : "not on the boundary"));
+      FalseClaim.unless(
+          kind != EdgeKind.PARTITION || partitions,
+          line,
+          edge + "of a partition, and the algorithm makes none");
+      FalseClaim.unless(
+          kind != EdgeKind.FLIPPED || isPost("flip"),
+          line,
+          edge + "flipped, and no flips were asked for");
+    }
+  }
+
+  private boolean isPost(String word) {
+    return claims.text("post").orElse("").equals(word);
+  }
+
+  private void checkFlips() {
+    FlipUndo undone = stored.undoFlips();
+    before = undone.before(stored.instance().points());
+    if (isPost("flip")) {
+      claim("flips", undone.count());
+    }
+  }
+
+  private void checkDegrees() {
+    int n = stored.instance().size();
+    int odd = odd(stored.graph());
+    claim("even", n - odd);
+    claim("odd", odd);
+    if (isPost("flip")) {
+      int oddBefore = odd(before);
+      claim("evenBefore", n - oddBefore);
+      claim("oddBefore", oddBefore);
+    }
+  }
+
+  private int odd(PlaneGraph graph) {
+    int odd = 0;
+    for (int v = 0; v < stored.instance().size(); v++) {
+      odd += graph.degree(v) & 1;
+    }
+    return odd;
+  }
+
+  /**
+   * Checks what the method promises of the triangulation that it made: that it is Delaunay, or that
+   * its pieces have the right form. A flipped edge counts as a cut, for a part of a convex or
+   * monotone piece behind a diagonal is convex or monotone too.
+   */
+  private void checkMethod() {
+    if (isPost("optimize")) {
+      return;
+    }
+    if (stored.method().domain() == Domain.SITES) {
+      checkDelaunay();
+    } else if (Pieces.areMadeBy(stored.method())) {
+      new Pieces(
+              stored.instance().points(),
+              before,
+              edge -> claims.edges().kind(edge) != EdgeKind.DIAGONAL,
+              stored::isOuter)
+          .check(stored.method());
+    }
+  }
+
+  /**
+   * A triangulation is Delaunay if it is so at every inner edge: of the two triangles there, the
+   * far corner of one is not inside the circle of the other (Delaunay 1934).
+   */
+  private void checkDelaunay() {
+    Points points = stored.instance().points();
+    for (int edge = 0; edge < claims.edges().size(); edge++) {
+      int e = 2 * edge;
+      boolean delaunay =
+          stored.isRim(edge)
+              || points.inCircle(
+                      before.origin(e), before.target(e), before.apex(e), before.apex(e + 1))
+                  <= 0;
+      if (!delaunay) {
+        throw stored.lie(e, "the triangulation is not Delaunay at edge " + stored.graph().name(e));
+      }
+    }
+  }
+
+  private void claim(String field, long truth) {
+    long said = whole(field);
+    FalseClaim.unless(said == truth, wrong(field, said, truth));
+  }
+
+  private long whole(String field) {
+    return whole(claims, field);
+  }
+
+  static long whole(Claims claims, String field) {
+    return claims
+        .whole(field)
+        .orElseThrow(
+            () -> new FalseClaim("the field \"" + field + "\" is missing or no whole number"));
+  }
+
+  /** What is wrong with a field that says one number and should say another. */
+  static String wrong(String field, long said, long truth) {
+    return "the field \"" + field + "\" says " + said + ", but it is " + truth;
+  }
+}
