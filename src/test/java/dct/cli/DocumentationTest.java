@@ -32,6 +32,8 @@ class DocumentationTest {
   private static final Pattern CLASS =
       Pattern.compile("`([A-Z][a-z][A-Za-z0-9]*)(?:\\.[A-Za-z0-9]+)?`");
 
+  private static final Pattern MAIN = Pattern.compile("\\b(dct\\.[a-z.]*[A-Z]\\w+)");
+
   @TempDir Path folder;
 
   /** Every block of README that begins with a prompt is run, and prints what stands there. */
@@ -86,6 +88,12 @@ class DocumentationTest {
         } else if (word.startsWith("-Dbench.") || word.startsWith("-Dgui.")) {
           assertThat(pom).contains("<" + word.substring(2, word.indexOf('=')) + ">");
         }
+      }
+      for (String name : groups(MAIN, command)) {
+        Path file = Path.of(name.replace('.', '/') + ".java");
+        assertThat(Stream.of("src/main/java", "src/test/java", "src/jmh/java"))
+            .as(name)
+            .anyMatch(root -> Files.exists(Path.of(root).resolve(file)));
       }
       return;
     }

@@ -1,0 +1,2 @@
+/** Writes the tables and the picture of the documentation, and tests that they are so. */
+package dct.docs;
