@@ -27,6 +27,7 @@ final class ConvertCommand extends Verb {
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
     PointDocument document = input.read();
+    document.checkOneRing();
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
     for (String file : outputs) {

@@ -21,7 +21,7 @@ public final class BadInputException extends RuntimeException {
    * @param fault what is wrong and, after a semicolon, what would mend it
    */
   public BadInputException(String file, int line, String fault) {
-    super(file + (line > 0 ? ":" + line : "") + ": " + fault);
+    super(Shown.harmless(file + (line > 0 ? ":" + line : "") + ": " + fault));
     this.file = file;
     this.line = line;
     this.fault = fault;

@@ -57,6 +57,25 @@ final class ByteLines {
     }
   }
 
+  /** Skips what is left of a line that is cut, which is empty then. */
+  void skipRest() throws IOException {
+    while (cut) {
+      start = 0;
+      next = 0;
+      filled = 0;
+      cut = fill();
+      for (int i = 0; i < filled && cut; i++) {
+        if (buffer[i] == '\n' || buffer[i] == '\r') {
+          afterCr = buffer[i] == '\r';
+          next = i + 1;
+          cut = false;
+        }
+      }
+    }
+    start = next;
+    end = next;
+  }
+
   private void skipLfAfterCr() throws IOException {
     if (!afterCr) {
       return;

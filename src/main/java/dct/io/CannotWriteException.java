@@ -14,7 +14,10 @@ public final class CannotWriteException extends IOException {
    */
   public CannotWriteException(String file, String reason, Throwable cause) {
     super(
-        file + ": cannot be written, " + reason + "; nothing was changed, choose another place",
+        Shown.harmless(file)
+            + ": cannot be written, "
+            + reason
+            + "; nothing was changed, choose another place",
         cause);
   }
 }

@@ -71,7 +71,8 @@ final class JsonText {
 
   private String place() {
     String path = json.getPath();
-    return path.equals("$") ? "" : ", at " + path.substring(path.startsWith("$.") ? 2 : 1);
+    String place = path.substring(path.startsWith("$.") ? 2 : 1);
+    return place.isEmpty() ? "" : ", at " + Shown.word(place);
   }
 
   private Claims result() throws IOException {
@@ -86,13 +87,14 @@ final class JsonText {
     if (!values.getOrDefault("format", ResultJson.FORMAT).equals(ResultJson.FORMAT)) {
       throw fault(
           "the format is "
-              + LineFault.shown(values.get("format").toString())
+              + Shown.word(values.get("format").toString())
               + " and not "
               + ResultJson.FORMAT
               + "; read it with the version of the program that wrote it");
     }
     if (points == null) {
-      throw fault("there is no field \"points\"; " + FORM);
+      throw fault(
+          ForeignText.json(values.keySet()).orElse("there is no field \"points\"") + "; " + FORM);
     }
     return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges);
   }
@@ -116,7 +118,7 @@ final class JsonText {
     require(JsonToken.STRING, "\"kind\" is not a text; " + cure);
     String kind = json.nextString();
     if (Domain.parse(kind).isEmpty()) {
-      throw fault("\"" + LineFault.shown(kind) + "\" is not a kind of input; " + cure);
+      throw fault("\"" + Shown.word(kind) + "\" is not a kind of input; " + cure);
     }
     values.put("kind", kind);
   }
@@ -126,7 +128,10 @@ final class JsonText {
       case STRING -> values.put(field, json.nextString());
       case NUMBER -> values.put(field, number());
       case BOOLEAN -> values.put(field, json.nextBoolean());
-      default -> json.skipValue();
+      default -> {
+        values.put(field, json.peek()); // so that it is known to have been there
+        json.skipValue();
+      }
     }
   }
 
@@ -135,7 +140,7 @@ final class JsonText {
     double value = Decimals.parse(text);
     if (!Double.isFinite(value)) {
       throw fault(
-          LineFault.shown(text) + " is too large, a number is at most 1.797e308; scale the data");
+          Shown.word(text) + " is too large, a number is at most 1.797e308; scale the data");
     }
     return value;
   }

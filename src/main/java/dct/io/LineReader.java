@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.Reader;
 
 /**
- * Gives its characters at most a line at a time, so that whoever pulls them knows the line it is
+ * Gives its characters at most a line at a time, so that its caller knows the line that they are
  * in, however it buffers.
  */
 final class LineReader extends Reader {
@@ -18,16 +18,13 @@ final class LineReader extends Reader {
 
   @Override
   public int read(char[] text, int from, int length) throws IOException {
-    if (atLineEnd) {
-      line++;
-      atLineEnd = false;
-    }
     int i = from;
-    while (i < from + length && !atLineEnd) {
+    while (i < from + length && (i == from || !atLineEnd)) {
       int c = in.read();
       if (c < 0) {
         return i == from ? -1 : i - from;
       }
+      line += atLineEnd ? 1 : 0;
       text[i++] = (char) c;
       atLineEnd = c == '\n';
     }

@@ -19,14 +19,18 @@ import java.util.Optional;
  * <p>The points are finite numbers, no more has been checked: {@link #instance} does that.
  */
 public final class PointDocument {
+  private static final String SITES_HINT = ", or read the file as sites with --as points";
+
   private final String source;
   private final Optional<Domain> declared;
   private final Points points;
   private final int[] lines; // the line of each point
   private final Optional<Claims> result; // if the file holds a triangulation too
+  private final int secondRing; // the line where another ring may begin, 0 if there is none
 
-  PointDocument(String source, Optional<Domain> declared, Points points, int[] lines) {
-    this(source, declared, points, lines, Optional.empty());
+  PointDocument(
+      String source, Optional<Domain> declared, Points points, int[] lines, int secondRing) {
+    this(source, declared, points, lines, Optional.empty(), secondRing);
   }
 
   private PointDocument(
@@ -34,19 +38,21 @@ public final class PointDocument {
       Optional<Domain> declared,
       Points points,
       int[] lines,
-      Optional<Claims> result) {
+      Optional<Claims> result,
+      int secondRing) {
     this.source = source;
     this.declared = declared;
     this.points = points;
     this.lines = lines;
     this.result = result;
+    this.secondRing = secondRing;
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
   public static PointDocument of(String source, Domain domain, Points points) {
     int[] lines = new int[points.size()];
     Arrays.setAll(lines, i -> i + 1);
-    return new PointDocument(source, Optional.of(domain), points, lines);
+    return new PointDocument(source, Optional.of(domain), points, lines, 0);
   }
 
   /** What a file of the program's own JSON says. */
@@ -56,7 +62,8 @@ public final class PointDocument {
         claims.domain(),
         claims.points(),
         claims.lines(),
-        Optional.of(claims).filter(Claims::hasEdges));
+        Optional.of(claims).filter(Claims::hasEdges),
+        0);
   }
 
   /** The same points, said to be of this domain; a triangulation of another is left out. */
@@ -66,7 +73,8 @@ public final class PointDocument {
         Optional.of(domain),
         points,
         lines,
-        result.filter(claims -> claims.domain().equals(Optional.of(domain))));
+        result.filter(claims -> claims.domain().equals(Optional.of(domain))),
+        secondRing);
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */
@@ -92,16 +100,33 @@ public final class PointDocument {
   /**
    * The points as an instance; points that are not said to be sites have to be a polygon.
    *
-   * @throws BadInputException if they are not usable
+   * @throws BadInputException if they are not usable, or a polygon may be several rings
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public Instance instance(Progress progress) {
+    checkOneRing();
     try {
       return Instance.of(declared.orElse(Domain.POLYGON), source, points, progress);
     } catch (InvalidGeometryException e) {
       throw declared.isEmpty() && couldBeSites(progress)
-          ? bad(e.defect(), ", or read the file as sites with --as points")
+          ? bad(e.defect(), SITES_HINT)
           : bad(e.defect(), "");
+    }
+  }
+
+  /**
+   * Sees that the points, unless they are said to be sites, are those of one ring.
+   *
+   * @throws BadInputException if a blank line parts them where another ring may begin
+   */
+  public void checkOneRing() {
+    if (secondRing > 0 && declared.orElse(Domain.POLYGON) == Domain.POLYGON) {
+      throw new BadInputException(
+          source,
+          secondRing,
+          "another ring seems to begin here, behind a blank line; only one ring can be read: remove"
+              + " the blank line if it is the same one, or split the file"
+              + (declared.isEmpty() ? SITES_HINT : ""));
     }
   }
 

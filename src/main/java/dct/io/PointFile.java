@@ -74,20 +74,29 @@ public final class PointFile {
         : VertexText.read(name, buffered);
   }
 
-  /** Whether the first character, white space and a byte-order mark left out, is a brace. */
+  /**
+   * Whether the first character, white space and a byte-order mark left out, is a brace with no
+   * number behind it.
+   */
   private static boolean startsAsJson(BufferedInputStream in) throws IOException {
     in.mark(LOOK_AHEAD);
     byte[] head = in.readNBytes(LOOK_AHEAD);
     in.reset();
-    int i = 0;
-    while (i < head.length && (head[i] < 0 || VertexText.isBlank(head[i]) || isLineEnd(head[i]))) {
-      i++;
+    int brace = afterSpace(head, 0);
+    if (brace == head.length || head[brace] != '{') {
+      return false;
     }
-    return i < head.length && head[i] == '{';
+    int next = afterSpace(head, brace + 1);
+    return next == head.length || "+-.0123456789".indexOf(head[next]) < 0;
   }
 
-  private static boolean isLineEnd(byte b) {
-    return b == '\n' || b == '\r';
+  private static int afterSpace(byte[] head, int from) {
+    int i = from;
+    while (i < head.length
+        && (head[i] < 0 || VertexText.isBlank(head[i]) || head[i] == '\n' || head[i] == '\r')) {
+      i++;
+    }
+    return i;
   }
 
   /**
@@ -129,7 +138,7 @@ public final class PointFile {
     StringBuilder text = new StringBuilder(head);
     for (int i = 0; i < points.size(); i++) {
       Decimals.append(text, points.x(i));
-      text.append(' ');
+      text.append(i == 0 && TextLayout.looksLikeCounts(points) ? ".0 " : " ");
       Decimals.append(text, points.y(i));
       text.append('\n');
       if (text.length() > 1 << 15) {

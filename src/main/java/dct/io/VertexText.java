@@ -1,30 +1,40 @@
 package dct.io;
 
 import dct.core.Decimals;
+import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Reads the program's own text format: a vertex a line, {@code x y}.
  *
- * <p>The numbers are separated by blanks, tabs, one comma or one semicolon. {@code #} starts a
- * comment; blank lines are skipped. A comment line {@code # kind: polygon} or {@code # kind:
- * points} says what the points are. Linear; ordinary lines make no objects.
+ * <p>The numbers are separated by blanks, tabs, one comma or one semicolon. {@code #} at the start
+ * of a line or after a blank, a comma or a semicolon starts a comment; blank lines are skipped, and
+ * where they part groups of vertices that could be rings, the document says so. A comment line
+ * {@code # kind: polygon} or {@code # kind: points} says what the points are. A first line with
+ * nothing but the number of vertices that follow is skipped, too; every other line of counts is
+ * refused. Linear; ordinary lines make no objects.
  */
 final class VertexText {
-  private static final String KIND = "# kind:";
+  private static final Pattern KIND =
+      Pattern.compile("#\\s*kind\\s*:\\s*(\\w+)\\s*", Pattern.CASE_INSENSITIVE);
 
   private final String name;
   private final ByteLines lines;
   private final PointColumns points = new PointColumns();
+  private final TextLayout layout;
   private Optional<Domain> kind = Optional.empty();
 
   private VertexText(String name, ByteLines lines) {
     this.name = name;
     this.lines = lines;
+    this.layout = new TextLayout(name);
   }
 
   /**
@@ -45,17 +55,30 @@ final class VertexText {
       throw new BadInputException(
           name,
           Math.max(1, lines.number()),
-          (lines.number() == 0 ? "the file is empty" : "there is no vertex in the file")
+          (lines.number() == 0
+                  ? "the file is empty"
+                  : layout.hasCount()
+                      ? "there is only one number"
+                      : "there is no vertex in the file")
               + "; write one vertex a line, as two numbers x y");
     }
-    return new PointDocument(name, kind, points.points(), points.lines());
+    Points read = points.points();
+    int[] numbers = points.lines();
+    if (kind.isEmpty()) { // else the program wrote it, and no counts
+      layout.check(read, numbers);
+    }
+    return new PointDocument(name, kind, read, numbers, layout.secondRing(numbers));
   }
 
-  private void line() {
+  private void line() throws IOException {
     byte[] bytes = lines.bytes();
     int xFrom = skipBlanks(lines.start());
-    if (isRest(xFrom) && !lines.isCut()) {
+    if (isRest(xFrom) && !(lines.isCut() && xFrom == lines.end())) {
+      if (xFrom == lines.end()) {
+        layout.blankLine(points.size());
+      }
       comment(xFrom);
+      lines.skipRest();
       return;
     }
     int xTo = tokenEnd(xFrom);
@@ -65,10 +88,29 @@ final class VertexText {
     double px = Decimals.parse(bytes, xFrom, xTo);
     double py = Decimals.parse(bytes, yFrom, yTo);
     if (!Double.isFinite(px) || !Double.isFinite(py) || !isRest(rest) || lines.isCut()) {
+      if (isOnly(xFrom, xTo) && layout.isCount(px, points.size(), lines.number())) {
+        return;
+      }
       throw new LineFault(name, lines).exception();
     }
     comment(rest);
+    layout.vertex(points.size(), isWhole(xFrom, xTo), isWhole(yFrom, yTo), bytes[xTo]);
     points.add(px, py, lines.number());
+  }
+
+  /** Whether this whole number is all that the line holds. */
+  private boolean isOnly(int from, int to) {
+    return from < to && isWhole(from, to) && isRest(skipBlanks(to)) && !lines.isCut();
+  }
+
+  /** Whether these are digits only. */
+  private boolean isWhole(int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (lines.bytes()[i] < '0' || lines.bytes()[i] > '9') {
+        return false;
+      }
+    }
+    return true;
   }
 
   private int skipBlanks(int from) {
@@ -98,7 +140,7 @@ final class VertexText {
   }
 
   private static boolean endsToken(byte b) {
-    return isBlank(b) || b == ',' || b == ';' || b == '#';
+    return isBlank(b) || b == ',' || b == ';';
   }
 
   private boolean isRest(int i) {
@@ -119,13 +161,14 @@ final class VertexText {
   }
 
   private void readKind(String comment) {
-    if (comment.startsWith(KIND)) {
-      kind = Domain.parse(comment.substring(KIND.length()).strip()).or(() -> kind);
+    Matcher matcher = KIND.matcher(comment);
+    if (matcher.matches()) {
+      kind = Domain.parse(matcher.group(1).toLowerCase(Locale.ROOT)).or(() -> kind);
     }
   }
 
   /** The comment line that says what the points are. */
   static String kindLine(Domain domain) {
-    return KIND + " " + domain.word();
+    return "# kind: " + domain.word();
   }
 }

@@ -39,9 +39,16 @@ class BadTextTest {
         "abc 2 | \"abc\" is not a number; FORM",
         "2 abc # x | \"abc\" is not a number; FORM",
         "1 2 c | \"c\" is not a number; FORM",
-        "−5 2 | \"−5\" is not a number; FORM",
+        "−5 2 | \"−5\" is not a number, it has U+2212 (MINUS SIGN); write - instead",
+        "1#2 3 | \"1#2\" is not a number; leave a blank before #, or FORM",
+        "1 -1.#IND | -1.#IND is not a finite number; remove the line or correct the coordinate",
+        "1.#INF00 1 | 1.#INF00 is not a finite number; remove the line or correct the coordinate",
+        "1,000 2 | 1,000 can mean 1000 or 1.000; write which, without a comma",
+        "1,000 2,5 | 1,000 is written with a decimal comma; write it with a point, 1.000",
+        "1,000,000 2 | 1,000,000 has commas between thousands; write it as 1000000",
+        "(1, 2) | the vertex stands in parentheses; remove them",
         "1d 2 | \"1d\" is not a number; FORM",
-        "POINT (1 2) | \"POINT\" is not a number; FORM",
+        "POINT (1 2) | this looks like WKT; FORM",
         "1 | there is only one number; FORM",
         "1, | there is only one number; FORM",
         "1 2 3 | there are 3 numbers; FORM",
@@ -83,7 +90,10 @@ class BadTextTest {
     String binary = "this is a binary file, not text; choose a file with two numbers x y a line";
     assertThat(fault(new byte[1000])).isEqualTo("1: " + binary);
     assertThat(fault(new byte[1_000_000])).isEqualTo("1: " + binary);
-    assertThat(fault("1 2\n3 4\n\0\0")).isEqualTo("3: " + binary);
+    assertThat(fault("1 2\n3 4\n\0\0")).startsWith("3: here are only zero bytes, ");
+    assertThat(fault("1 2\n3 4\n\u001A")).startsWith("3: the line holds Ctrl-Z, ");
+    assertThat(fault("1 2\n3 4\na\0")).isEqualTo("3: " + binary);
+    assertThat(fault("1 2\n3 x\n5 6\n\0\0")).as("the first fault").startsWith("2: \"x\" is not");
     assertThat(fault("# \0\n1 2\n")).isEqualTo("1: " + binary);
     byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 0x0D};
     assertThat(fault(png)).isEqualTo("1: " + binary);
@@ -98,6 +108,12 @@ class BadTextTest {
     assertThat(fault("# ä\n1 2\n".getBytes(latin))).isEqualTo("1: " + latin1);
     assertThat(fault("\uFEFF1 2\n".getBytes(StandardCharsets.UTF_16LE)))
         .isEqualTo("1: the text is encoded in UTF-16; save it as UTF-8");
+    for (String name : new String[] {"UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE"}) {
+      for (String mark : new String[] {"\uFEFF", ""}) {
+        assertThat(fault((mark + "10 20\n3 4\n").getBytes(Charset.forName(name))))
+            .isEqualTo("1: the text is encoded in " + name.substring(0, 6) + "; save it as UTF-8");
+      }
+    }
     assertThat(fault("1 2\n".getBytes(StandardCharsets.UTF_16)))
         .isEqualTo("1: the text is encoded in UTF-16; save it as UTF-8");
   }
@@ -127,5 +143,29 @@ class BadTextTest {
 
   private static String openingFault(Path file) {
     return catchThrowableOfType(BadInputException.class, () -> PointFile.read(file)).getMessage();
+  }
+
+  @Test
+  void nothing_of_a_file_or_its_name_acts_on_the_terminal() {
+    BadInputException bad =
+        catchThrowableOfType(
+            BadInputException.class,
+            () ->
+                PointFile.read(
+                    "a\u001B[31m\nb",
+                    new ByteArrayInputStream("x\u007F\u2066 1".getBytes(StandardCharsets.UTF_8))));
+    assertThat(bad)
+        .hasMessageStartingWith("a<U+001B>[31m<U+000A>b:1: \"x<U+007F><U+2066>\" is not a number");
+    assertThat(new CannotWriteException("a\u0007", "x", null))
+        .hasMessageStartingWith("a<U+0007>: ");
+  }
+
+  @Test
+  void json_that_is_something_else() {
+    assertThat(fault("{\"type\": \"Feature\", \"geometry\": null}\n"))
+        .isEqualTo("1: this looks like GeoJSON; write \"points\": [[x, y], …]");
+    assertThat(fault("{\"a\": " + "[".repeat(300))).as("a short place").hasSizeLessThan(120);
+    assertThat(fault("{0, 0},\n")).isEqualTo("1: the vertex stands in braces; remove them");
+    assertThat(fault("{ ; }")).isEqualTo("1: this is not JSON; correct it");
   }
 }

@@ -13,6 +13,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,11 +44,45 @@ class PointFileTest {
         "0;0\n4.5;-1e-9\n2;3\n",
         "0 , 0\n 4.5, -1e-9 \n\t2 ;3\t\n",
         "0,0,\n4.5;-1e-9;\n2,3,\n",
-        "# Größe π\n\n  \n0 0 # first\n4.5 -1e-9#second\n\t# between\n2 3\n\n#end",
+        "# Größe π\n\n  \n0 0 # first\n4.5 -1e-9 #second\n\t# between\n2 3\n\n#end",
         "+0 -0\n4.50 -.000000001\n002 3.\n",
       })
   void reads_every_form_of_the_text(String text) throws IOException {
     assertThat(read(text).points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void a_comment_may_be_of_any_length() throws IOException {
+    for (int length : new int[] {65_530, 65_534, 65_535, 65_536, 65_537, 131_072, 300_000}) {
+      for (String end : new String[] {"\n", "\r\n", "\r"}) {
+        String text = "#" + "a".repeat(length) + end + "0 0" + end + "4.5 -1e-9" + end + "2 3";
+        PointDocument document = read(text);
+        assertThat(document.points()).as(length + " " + end).isEqualTo(TRIANGLE);
+        assertThat(document.line(2)).isEqualTo(4);
+      }
+    }
+    assertThat(read("0 0\n4.5 -1e-9\n2 3\n#" + "x".repeat(200_000)).points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void a_count_alone_in_front_is_no_vertex() throws IOException {
+    PointDocument document = read("# n\n3 # vertices\n\n0 0\n4.5 -1e-9\n2 3\n");
+    assertThat(document.points()).isEqualTo(TRIANGLE);
+    assertThat(document.line(0)).isEqualTo(4);
+  }
+
+  @Test
+  void a_vertex_that_looks_like_a_count_is_written_so_that_it_is_read_back(@TempDir Path folder)
+      throws IOException {
+    for (Points points :
+        List.of(
+            Points.ofPairs(3, 0, 6, 3, 3, 6, 0, 3),
+            Points.ofPairs(3, 1, 0, 1, 1, 2, 2, 0, 0, 2),
+            Points.ofPairs(0, 1, 2.5, 2.5, 1.5, 3.5))) {
+      Path file = folder.resolve("x_polygonbased.txt");
+      PointFile.write(file, Domain.POLYGON, points);
+      assertThat(PointFile.read(file).points()).isEqualTo(points);
+    }
   }
 
   @Test

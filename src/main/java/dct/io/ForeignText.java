@@ -1,0 +1,71 @@
+package dct.io;
+
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/** Forms of other programs, told by a line that is not a vertex. */
+enum ForeignText {
+  WKT(
+      "(?i)(SRID=\\d+;)?\\s*(MULTI)?(POLYGON|POINT|LINESTRING|GEOMETRYCOLLECTION|TRIANGLE|TIN)\\b.*",
+      "this looks like WKT; write one vertex a line, as two numbers x y"),
+  XML(
+      "<[?!a-zA-Z].*",
+      "this looks like XML, as SVG and KML are; write one vertex a line, as two numbers x y"),
+  ARRAY(
+      "\\[\\s*(\\[.*)?",
+      "this looks like a list of JSON or Python; write one vertex a line, as two numbers x y, or"
+          + " {\"points\": [[x, y], …]}"),
+  PARENTHESES("\\(.*", "the vertex stands in parentheses; remove them"),
+  BRACES("\\{.*", "the vertex stands in braces; remove them"),
+  BRACKETS("\\[.*", "the vertex stands in brackets; remove them"),
+  QUOTED(
+      "[\"'][+-]?[0-9.].*",
+      "the numbers stand in quotation marks, as in some CSV; remove the marks"),
+  HOLE(
+      "(?i)(HOLE|STEINER)\\b.*",
+      "this looks like a file of poly2tri with more than one ring; only one ring can be read, split"
+          + " the file"),
+  EXCEL("(?i)sep=.", "this line is meant for Excel; remove it"),
+  OFF("(ST|C|N|4|n)*OFF\\b.*", "this looks like OFF; write one vertex a line, as two numbers x y"),
+  PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y"),
+  OBJ(
+      "v\\s+[+-]?[0-9.].*",
+      "this looks like Wavefront OBJ; write one vertex a line, as two numbers x y"),
+  TRIANGLE(
+      "[0-9]+\\s+2\\s+[0-9]+\\s+[01]",
+      "this looks like the first line of Triangle's .node or .poly; remove it, and all but two"
+          + " columns"),
+  HEADER(
+      "[\"']?[A-Za-z_][\\w .\"']*(\\s*[,;\\t]\\s*[\"']?[A-Za-z_][\\w .()\"']*)+",
+      "this looks like a header row; remove it");
+
+  private final Pattern pattern;
+  private final String fault;
+
+  ForeignText(String line, String fault) {
+    pattern = Pattern.compile(line, Pattern.DOTALL);
+    this.fault = fault;
+  }
+
+  /** What is wrong and what would mend it, if the line is of one of these forms. */
+  static Optional<String> fault(String line) {
+    for (ForeignText form : values()) {
+      if (form.pattern.matcher(line).matches()) {
+        return Optional.of(form.fault);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** What an object of JSON looks like that has these fields and no points. */
+  static Optional<String> json(Set<String> fields) {
+    if (fields.contains("points_x") && fields.contains("points_y")) {
+      return Optional.of("this looks like an instance of CG:SHOP");
+    }
+    boolean isGeo = fields.contains("features") || fields.contains("coordinates");
+    return isGeo || fields.contains("geometry") || fields.contains("geometries")
+        ? Optional.of("this looks like GeoJSON")
+        : Optional.empty();
+  }
+}

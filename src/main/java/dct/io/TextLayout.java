@@ -1,0 +1,165 @@
+package dct.io;
+
+import dct.core.geometry.Points;
+
+/**
+ * What the lines of a text tell beside its vertices: how many there are, and groups that could be
+ * rings of their own.
+ *
+ * <p>A line of counts is never taken for a vertex silently. A first line with one whole number,
+ * with as many vertices behind it, is understood. Two whole numbers are taken for counts where the
+ * first is the number of lines that follow, three or more, and the second 0, 1 or 2 (a flag, or the
+ * number of columns), where the same goes on until the last line (rings one after the other), or
+ * where as many vertices and edges follow.
+ */
+final class TextLayout {
+  private static final int SMALLEST_RING = 3;
+
+  private final String name;
+  private int count = -1; // of a first line with one number
+  private int countLine;
+  private boolean startsWhole; // the first vertex is written as two whole numbers
+  private boolean startsWithComma; // or semicolon, between them
+  private boolean moreWhole; // another vertex has a whole number
+  private int groupStart; // the first vertex of the present group
+  private int gap; // the first vertex behind a blank line, 0 before there is one
+  private boolean hasRing; // a group has enough vertices
+
+  /** The layout of a text, which messages call by this name. */
+  TextLayout(String name) {
+    this.name = name;
+  }
+
+  /**
+   * Whether a line with one whole number, behind this many vertices, is a line of counts.
+   *
+   * @throws BadInputException if it is that of another ring
+   */
+  boolean isCount(double number, int vertices, int line) {
+    if (count >= 0 && vertices == count) {
+      throw new BadInputException(
+          name,
+          line,
+          "this looks like the count of another ring; only one ring can be read, split the file");
+    }
+    if (vertices > 0 || count >= 0) {
+      return false;
+    }
+    count = (int) Math.min(number, Integer.MAX_VALUE);
+    countLine = line;
+    return true;
+  }
+
+  /** Whether there was a line of counts. */
+  boolean hasCount() {
+    return count >= 0;
+  }
+
+  /** Hears of a vertex: its number, whether its parts are written whole, what stands between. */
+  void vertex(int v, boolean xWhole, boolean yWhole, byte separator) {
+    if (v == 0) {
+      startsWhole = xWhole && yWhole;
+      startsWithComma = separator == ',' || separator == ';';
+    } else {
+      moreWhole |= xWhole || yWhole;
+    }
+  }
+
+  /** Hears of a blank line behind this many vertices. */
+  void blankLine(int vertices) {
+    if (vertices > groupStart) {
+      endGroup(vertices);
+      gap = gap == 0 ? vertices : gap;
+    }
+  }
+
+  private void endGroup(int vertices) {
+    hasRing |= vertices - groupStart >= SMALLEST_RING;
+    groupStart = vertices;
+  }
+
+  /**
+   * The line where another ring may begin: that of the first vertex behind a blank line, if a group
+   * between blank lines has enough vertices for a ring. 0 if there is none: single vertices with
+   * blank lines between them are one ring.
+   */
+  int secondRing(int[] lines) {
+    endGroup(lines.length);
+    return hasRing && gap > 0 && gap < lines.length ? lines[gap] : 0;
+  }
+
+  /**
+   * Looks for counts that would be taken for a vertex, and for a count that is wrong.
+   *
+   * @throws BadInputException if there is one
+   */
+  void check(Points points, int[] lines) {
+    if (count >= 0 && count != lines.length) {
+      String fault =
+          "this looks like a count of " + count + " vertices, but " + lines.length + " follow";
+      throw new BadInputException(name, countLine, fault + "; correct or remove the line");
+    }
+    if (count < 0 && startsWhole) {
+      checkFirst(points, lines[0]);
+    }
+  }
+
+  private void checkFirst(Points points, int line) {
+    int x = (int) points.x(0);
+    int y = (int) points.y(0);
+    String mending = "remove the line, or write " + x + ".0 " + y + ".0 if it is a vertex";
+    if (isCounts(points)) {
+      String what = "this looks like a line of counts, " + x + " vertices follow it; ";
+      boolean several = points.size() > x + 1;
+      throw new BadInputException(
+          name, line, what + (several ? "only one ring can be read, split the file" : mending));
+    }
+    if (isCountsOfEdges(points)) {
+      String what = "this looks like the counts of " + x + " vertices and " + y + " edges; ";
+      throw new BadInputException(name, line, what + "keep only the lines of the vertices");
+    }
+    if (x == 0 && y == 1 && startsWithComma && !moreWhole && points.size() > 1) {
+      throw new BadInputException(
+          name, line, "this looks like a header that numbers the columns; " + mending);
+    }
+  }
+
+  /** Whether the first of these points, written as whole numbers, would be taken for counts. */
+  static boolean looksLikeCounts(Points points) {
+    return points.size() > 0 && (isCounts(points) || isCountsOfEdges(points));
+  }
+
+  /** Rings one after the other, each behind its count and a number from 0 to 2. */
+  private static boolean isCounts(Points points) {
+    long i = 0;
+    while (i < points.size()) {
+      double x = points.x((int) i);
+      double y = points.y((int) i);
+      if (!isWhole(x, SMALLEST_RING) || !isWhole(y, 0) || y > 2) {
+        return false;
+      }
+      i += (long) x + 1;
+    }
+    return i == points.size();
+  }
+
+  /** Vertices, then edges as pairs of their numbers, behind both counts. */
+  private static boolean isCountsOfEdges(Points points) {
+    double x = points.x(0);
+    double y = points.y(0);
+    if (!isWhole(x, SMALLEST_RING) || !isWhole(y, 1) || x + y != points.size() - 1) {
+      return false;
+    }
+    for (int e = (int) x + 1; e < points.size(); e++) {
+      boolean isEdge = isWhole(points.x(e), 0) && isWhole(points.y(e), 0);
+      if (!isEdge || Math.max(points.x(e), points.y(e)) > x) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean isWhole(double value, int least) {
+    return value >= least && value == (int) value;
+  }
+}
