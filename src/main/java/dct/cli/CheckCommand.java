@@ -12,6 +12,7 @@ final class CheckCommand extends Verb {
 
   CheckCommand(Console console) {
     super(console, "Is it a simple polygon, or usable sites? Says what is wrong, and where.");
+    examples("dct check samples/comb_polygonbased.txt");
   }
 
   @Override

@@ -39,8 +39,19 @@ public final class CommandLineProgram {
 
   static final int HELP_WIDTH = 100;
 
-  private static final List<String> VERBS =
-      List.of("triangulate", "generate", "experiment", "convert", "check", "verify");
+  static final List<String> VERBS =
+      List.of(
+          "triangulate",
+          "generate",
+          "experiment",
+          "convert",
+          "check",
+          "verify",
+          "help",
+          "completion");
+
+  /** The verbs that speak of the others. */
+  private static final List<String> ABOUT = List.of("help", "completion");
 
   private final Console console;
 
@@ -98,7 +109,7 @@ public final class CommandLineProgram {
 
   private CommandLine commandLine(String... arguments) {
     CommandSpec top = top();
-    boolean clear = arguments.length > 0 && isVerb(arguments[0]);
+    boolean clear = arguments.length > 0 && isVerb(arguments[0]) && !ABOUT.contains(arguments[0]);
     for (String verb : clear ? List.of(arguments[0]) : VERBS) {
       top.addSubcommand(verb, verb(verb).spec());
     }
@@ -122,10 +133,15 @@ public final class CommandLineProgram {
     top.usageMessage()
         .description("Triangulations with as many even-degree vertices as possible.")
         .synopsisSubcommandLabel("VERB")
+        .commandListHeading("Verbs:%n")
         .footer(
             "",
             "Without arguments the window opens; dct FILE… opens files in it.",
-            "Exit status: 0 done, 2 wrong usage, 3 bad input, 1 anything else.");
+            "Exit status: 0 done, 2 wrong usage, 3 bad input, 130 stopped by Ctrl+C, 1 anything else.",
+            "",
+            "Examples:",
+            "  dct triangulate samples/random_500_pointbased.txt --flip",
+            "  dct help generate");
     return top;
   }
 
@@ -136,7 +152,9 @@ public final class CommandLineProgram {
       case "experiment" -> new ExperimentCommand(console);
       case "convert" -> new ConvertCommand(console);
       case "check" -> new CheckCommand(console);
-      default -> new VerifyCommand(console);
+      case "verify" -> new VerifyCommand(console);
+      case "help" -> new HelpCommand(console);
+      default -> new CompletionCommand(console);
     };
   }
 

@@ -21,6 +21,7 @@ final class ConvertCommand extends Verb {
         "Writes a file in another format.",
         "The points need not be a polygon. The triangulation of a result is kept where the format"
             + " can hold one.");
+    examples("dct convert samples/star_polygonbased.txt -o star.ipe");
   }
 
   @Override

@@ -42,6 +42,7 @@ final class ExperimentCommand extends Verb {
         "A file that ends in .csv keeps the rows as they come: after Ctrl+C, and with more sets or"
             + " sizes, the same command goes on from it and computes no row again. Each row has its"
             + " seed, with which dct generate makes the same input.");
+    examples("dct experiment points --sizes 50-100:50 --sets 2 -o rows.csv -o table.md");
   }
 
   @Override

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
@@ -26,7 +27,13 @@ final class GenerateCommand extends Verb {
       parameter("points|polygon", "What to make: points or polygon.");
   private final OptionSpec n = requiredOption("-n", "N", Integer.class, "How many vertices.");
   private final OptionSpec shape =
-      option("--shape", "S", String.class, "One of those above; " + defaults() + " by default.");
+      option(
+          "--shape",
+          "S",
+          Stream.concat(SiteShape.words().stream(), PolygonShape.words().stream())
+              .distinct()
+              .toList(),
+          "One of those above; " + defaults() + " by default.");
   private final OptionSpec seed =
       option(
           "--seed", "N", Long.class, "Which of the random ones, any whole number; 1 by default.");
@@ -49,6 +56,9 @@ final class GenerateCommand extends Verb {
 
   GenerateCommand(Console console) {
     super(console, description());
+    examples(
+        "dct generate points -n 500 --shape clusters --seed 7 -o mine_pointbased.txt",
+        "dct generate polygon -n 100 | dct triangulate - --optimize odd");
   }
 
   private static String defaults() {

@@ -36,7 +36,7 @@ final class StudyOutputs {
         verb.option(
             "--chart",
             "C",
-            String.class,
+            List.of("sizes", "increase", "shapes", "pieces", "reflex"),
             "Which chart: for points sizes (default), increase or shapes; for polygons shapes"
                 + " (default), sizes, pieces or reflex.");
   }

@@ -39,6 +39,9 @@ final class TriangulateCommand extends Verb {
     super(
         console,
         "Triangulates a simple polygon, or point sites, and counts even and odd vertices.");
+    examples(
+        "dct triangulate samples/comb_polygonbased.txt --flip",
+        "dct triangulate samples/random_50_pointbased.txt --optimize even -o result.json -o result.svg");
   }
 
   @Override

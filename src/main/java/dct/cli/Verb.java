@@ -6,9 +6,12 @@ import dct.io.FileEnding.Content;
 import dct.io.FileNames;
 import dct.problem.Solution;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
@@ -72,6 +75,23 @@ abstract class Verb implements Callable<Integer> {
             .required(true)
             .arity("1")
             .type(String.class)
+            .completionCandidates(words(label))
+            .description(description)
+            .build();
+    spec.addPositional(parameter);
+    return parameter;
+  }
+
+  /** Declares a parameter without a name that is one of these words and may be left out. */
+  final PositionalParamSpec optionalParameter(
+      String label, List<String> words, String description) {
+    PositionalParamSpec parameter =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .index("0")
+            .arity("0..1")
+            .type(String.class)
+            .completionCandidates(words)
             .description(description)
             .build();
     spec.addPositional(parameter);
@@ -122,10 +142,37 @@ abstract class Verb implements Callable<Integer> {
         description);
   }
 
+  /** Declares an option whose value is one of these words. */
+  final OptionSpec option(String name, String label, List<String> words, String description) {
+    OptionSpec.Builder option = OptionSpec.builder(name).type(String.class);
+    return option(option.completionCandidates(words), label, description);
+  }
+
   private OptionSpec option(OptionSpec.Builder builder, String label, String description) {
+    if (label.contains("|")) {
+      builder.completionCandidates(words(label));
+    }
     OptionSpec option = builder.paramLabel(label).arity("1").description(description).build();
     spec.addOption(option);
     return option;
+  }
+
+  /** The words that a label such as {@code even|odd|FILE} names, for completion; none is null. */
+  private static List<String> words(String label) {
+    return label.contains("|")
+        ? Arrays.stream(label.split("\\|"))
+            .filter(w -> w.equals(w.toLowerCase(Locale.ROOT)))
+            .toList()
+        : null;
+  }
+
+  /** Adds examples at the end of the help. */
+  final void examples(String... lines) {
+    String head = lines.length == 1 ? "Example:" : "Examples:";
+    spec.usageMessage()
+        .footer(
+            Stream.concat(Stream.of("", head), Arrays.stream(lines).map(line -> "  " + line))
+                .toArray(String[]::new));
   }
 
   static boolean isSet(OptionSpec flag) {

@@ -44,6 +44,7 @@ final class VerifyCommand extends Verb {
             + " into convex or monotone pieces where claimed, the lower bound recomputed.",
         "Exit status: 0 everything claimed was recomputed, 4 something is false, 5 something claimed"
             + " cannot be recomputed.");
+    examples("dct verify result.json");
   }
 
   @Override

@@ -11,6 +11,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +39,51 @@ class CommandLineProgramTest {
     assertThat(CommandLineProgram.isVerb(verb)).isTrue();
     assertThat(CliRun.of(verb, "--help").done().out()).startsWith("Usage: dct " + verb);
     assertThat(CliRun.of(verb, "--version").done().out()).startsWith("dct ");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"triangulate", "generate", "experiment", "convert", "check", "verify"})
+  void help_explains_each_verb(String verb) {
+    assertThat(CliRun.of("help", verb).done()).isEqualTo(CliRun.of(verb, "--help"));
+    assertThat(CliRun.of(verb, "--help").out()).contains("\nExample");
+  }
+
+  @Test
+  void help_alone_explains_the_program() {
+    assertThat(CliRun.of("help").done()).isEqualTo(CliRun.of("--help"));
+    assertThat(CliRun.of("help").out()).contains("Verbs:\n  triangulate ", "  completion ");
+  }
+
+  /** In the order of the verbs, for one example reads what another has written. */
+  @Test
+  void the_examples_of_every_help_run(@TempDir Path folder) {
+    List<String> examples = new ArrayList<>();
+    for (String verb : CommandLineProgram.VERBS) {
+      CliRun.of("help", verb)
+          .done()
+          .out()
+          .lines()
+          .dropWhile(line -> !line.startsWith("Example"))
+          .skip(1)
+          .map(line -> line.strip().replaceFirst("^source <\\((.*?)\\).*", "$1"))
+          .forEach(examples::add);
+    }
+    assertThat(examples).hasSizeGreaterThan(CommandLineProgram.VERBS.size());
+    for (String example : examples) {
+      String input = "";
+      for (String part : example.split(" [>|] ", -1)) {
+        input = part.startsWith("dct ") ? run(part, input, folder) : "";
+      }
+    }
+  }
+
+  private static String run(String example, String input, Path folder) {
+    Object[] words =
+        Arrays.stream(example.split(" ", -1))
+            .skip(1)
+            .map(word -> word.matches("[a-z_]+\\.[a-z]+") ? folder.resolve(word) : word)
+            .toArray();
+    return CliRun.withInput(input, words).done().out();
   }
 
   @Test
@@ -81,6 +129,11 @@ class CommandLineProgramTest {
             + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
         "triangulate a --json -o - | dct triangulate: --json and -o - both want standard output,"
             + " leave one out; see dct triangulate --help",
+        "help chek | dct help: the verb chek is unknown (did you mean check?), use triangulate,"
+            + " generate, experiment, convert, check, verify, help or completion;"
+            + " see dct help --help",
+        "completion powershell | dct completion: the shell powershell is unknown, use bash, zsh or"
+            + " fish; see dct completion --help",
         "triangulate - --as lines | dct triangulate: --as lines is unknown,"
             + " use polygon or points; see dct triangulate --help",
         "triangulate - --algorithm delaunay | dct triangulate: --algorithm delaunay is none for"
