@@ -79,10 +79,15 @@ public record Solution(
     return optimized(instance.best(triangulation, given, progress), given);
   }
 
-  /** The same with what the optimizer found. */
+  /**
+   * The same with what the optimizer found. Where that rests on flips or a partition, its edges no
+   * longer tell of them: they are no part of what was asked for.
+   */
   public Solution optimized(Optimum best, SearchLimits given) {
-    return new Solution(
-        instance, method, best.triangulation(), Optional.empty(), Optional.of(best), given);
+    Triangulation plain = best.triangulation().plain();
+    Optimum found =
+        new Optimum(plain, best.goal(), best.unsatisfied(), best.bound(), best.interrupted());
+    return new Solution(instance, method, plain, Optional.empty(), Optional.of(found), given);
   }
 
   /** The even and the odd vertices. */

@@ -195,6 +195,14 @@ class ForgedResultTest {
     assertThat(verify(result).status()).isNotZero();
   }
 
+  @ParameterizedTest
+  @MethodSource("truths")
+  void what_a_search_without_time_returns_is_verified(Truth truth) {
+    List<String> hurried = List.of("--optimize", "even", "--time-limit", "0");
+    JsonObject result = new Truth("", truth.points, hurried).make();
+    assertThat(verify(result).status()).as("%s", verify(result)).isZero();
+  }
+
   @Test
   void merged_duplicates_are_believed_only_beside_the_input() throws IOException {
     Path input = Files.writeString(folder.resolve("squares.txt"), SQUARES);

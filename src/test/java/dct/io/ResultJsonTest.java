@@ -23,6 +23,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,7 +66,8 @@ class ResultJsonTest {
 
   @Test
   void flips_add_their_fields() {
-    Solution flipped = square().flipped(new FlipResult(triangulation(1), triangulation(0), 1));
+    Solution flipped =
+        square().flipped(new FlipResult(triangulation(1), triangulation(0), List.of(4)));
     JsonObject json = JsonParser.parseString(ResultJson.summary(flipped, MILLIS)).getAsJsonObject();
     assertThat(json.get("post").getAsString()).isEqualTo("flip");
     assertThat(json.get("evenBefore").getAsInt()).isEqualTo(2);

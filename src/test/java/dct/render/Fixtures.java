@@ -10,6 +10,7 @@ import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
+import java.util.List;
 
 /** Triangulations made by hand, so that tests of pictures need no algorithm. */
 final class Fixtures {
@@ -42,7 +43,7 @@ final class Fixtures {
             PENTAGON,
             dcel,
             edge -> edge == diagonal ? EdgeKind.FLIPPED : before.kind(edge));
-    return solution().flipped(new FlipResult(before, after, 1));
+    return solution().flipped(new FlipResult(before, after, List.of(diagonal)));
   }
 
   /** The pentagon as a solution. */

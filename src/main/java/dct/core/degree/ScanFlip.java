@@ -6,6 +6,8 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Flips diagonals so that more vertices become even (thesis, Algorithms 3.2 and 3.4).
@@ -31,7 +33,7 @@ public final class ScanFlip {
   private final boolean[] made; // by edge: by a flip of this run
   private final Progress progress;
   private int looked; // at so many edges
-  private int flips;
+  private final List<Integer> flips = new ArrayList<>(); // edges, in order
 
   private ScanFlip(Triangulation triangulation, Progress progress) {
     this.progress = progress;
@@ -123,7 +125,7 @@ public final class ScanFlip {
     mark(dcel.prev(e ^ 1));
     dcel.flip(e);
     made[e >> 1] = true;
-    flips++;
+    flips.add(e >> 1);
   }
 
   private void mark(int e) {

@@ -86,6 +86,11 @@ public final class Triangulation {
     return count;
   }
 
+  /** This triangulation with every edge that is not on the boundary a mere diagonal. */
+  public Triangulation plain() {
+    return new Triangulation(domain, points, dcel, edge -> EdgeKind.DIAGONAL);
+  }
+
   /** One end of an edge: the vertex that half-edge {@code 2 * edge} leaves. */
   public int from(int edge) {
     return dcel.origin(2 * edge);

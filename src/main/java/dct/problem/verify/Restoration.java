@@ -11,6 +11,8 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
 import dct.problem.Solution;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.IntFunction;
 
 /**
@@ -55,11 +57,13 @@ public final class Restoration {
   }
 
   private FlipResult flips(Triangulation after) {
-    int flips = stored.undoFlips().count();
+    stored.undoFlips();
+    List<Integer> flips = new ArrayList<>();
     Dcel dcel = after.dcel().copy();
     for (int edge = 0; edge < after.edgeCount(); edge++) {
       if (after.kind(edge) == EdgeKind.FLIPPED) {
         dcel.flip(2 * edge);
+        flips.add(edge);
       }
     }
     Triangulation before =

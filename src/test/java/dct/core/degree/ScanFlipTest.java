@@ -3,6 +3,7 @@ package dct.core.degree;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Delaunay;
@@ -75,6 +76,18 @@ class ScanFlipTest {
       Triangulation once =
           ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE), Progress.NONE).after();
       compare(once, "second run, seed " + seed);
+    }
+  }
+
+  @Test
+  void theFlipsInTheirOrderLeadFromBeforeToAfter() {
+    var sites = RandomSets.families().get(0).make(200, 1);
+    FlipResult result = ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE), Progress.NONE);
+    Dcel dcel = result.before().dcel().copy();
+    result.edges().forEach(edge -> dcel.flip(2 * edge));
+    assertThat(result.edges()).doesNotHaveDuplicates();
+    for (int e = 0; e < 2 * dcel.edgeCount(); e++) {
+      assertThat(dcel.origin(e)).isEqualTo(result.after().dcel().origin(e));
     }
   }
 
