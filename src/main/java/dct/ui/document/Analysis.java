@@ -6,6 +6,8 @@ import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplicityCheck;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
 import dct.problem.Instance;
 import dct.problem.Method;
@@ -58,7 +60,7 @@ public final class Analysis {
   static Analysis pending(Document document, boolean growing) {
     return document.domain() == Domain.POLYGON
         ? polygon(document, List.of(), growing, true)
-        : untriangulated(document, List.of(), true);
+        : untriangulated(document, true);
   }
 
   private static Analysis polygon(
@@ -67,9 +69,15 @@ public final class Analysis {
     return new Analysis(document, Optional.empty(), defects, scene, growing, pending);
   }
 
-  private static Analysis untriangulated(Document document, List<Defect> defects, boolean pending) {
+  private static Analysis untriangulated(Document document, boolean pending) {
     Scene scene = Scene.sites(document.points());
-    return new Analysis(document, Optional.empty(), defects, scene, false, pending);
+    return new Analysis(document, Optional.empty(), List.of(), scene, false, pending);
+  }
+
+  /** Sites on one line: they are drawn as the path that joins them, and have no solution. */
+  private static Analysis path(Document document, Defect defect, Progress progress) {
+    Scene scene = Scene.of(Delaunay.triangulate(Sites.of(document.points(), progress), progress));
+    return new Analysis(document, Optional.empty(), List.of(defect), scene, false, false);
   }
 
   private static List<Defect> defects(Points points, Progress progress) {
@@ -85,13 +93,13 @@ public final class Analysis {
 
   private static Analysis sites(Document document, Progress progress) {
     if (document.size() < 3) {
-      return untriangulated(document, List.of(), false);
+      return untriangulated(document, false);
     }
     try {
       Instance instance = document.instance("", progress);
       return sites(document, Solution.of(instance, Method.DELAUNAY, progress));
     } catch (InvalidGeometryException e) {
-      return untriangulated(document, List.of(e.defect()), false);
+      return path(document, e.defect(), progress);
     }
   }
 

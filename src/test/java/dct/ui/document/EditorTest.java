@@ -30,6 +30,14 @@ class EditorTest {
   }
 
   @Test
+  void sitesOnOneLineAreShownAsAPathAndHaveNoSolution() {
+    load(0, 0, 9, 0, 4, 0);
+    assertThat(sites.shown().solution()).isEmpty();
+    assertThat(sites.shown().scene().edgeCount()).isEqualTo(2);
+    assertThat(sites.shown().defects()).hasSize(1);
+  }
+
+  @Test
   void aPreviewIsShownAndLeavesTheDocumentAlone() {
     load(0, 0, 9, 0, 4, 7);
     Document before = sites.document();
