@@ -11,7 +11,8 @@ import java.util.Arrays;
  * >> 1}. Face 0 is the outer face. Around an inner face {@code next} runs counter-clockwise; {@link
  * #rotate} goes to the next half-edge counter-clockwise around the origin.
  *
- * <p>The operators come in inverse pairs: {@code joinFaces(splitFace(a, b)) == a}; {@code flip}
+ * <p>The operators come in inverse pairs: {@code joinFaces(splitFace(a, b)) == a}; {@code
+ * removeVertex(insertVertex(e, v)) == e}; {@code joinEdges(splitEdge(e, v)) == e}; {@code flip}
  * twice restores the edge, four times the half-edge. Each has a guard that says whether it applies;
  * calling an operator whose guard is false is an error of the caller. After {@link #freeze} every
  * operator throws. {@link #validate} checks the laws.
@@ -23,54 +24,37 @@ public final class Dcel {
   public static final int OUTER = 0;
 
   /** In place of a handle: there is none. */
-  public static final int NONE = -1;
+  public static final int NONE = HalfEdges.NONE;
 
   final int[] outEdge; // a half-edge that leaves the vertex; NONE if it has no edge
   final int[] degree; // the number of half-edges that leave the vertex
-  int[] next; // the half-edge after e around its left face; NONE where the edge was removed
-  int[] prev; // the half-edge before e around its left face
-  int[] origin; // the vertex that e leaves
+  private final HalfEdges links;
+  int[] next; // this and the following two are the arrays of the links, at hand
+  int[] prev;
+  int[] origin;
   int[] face; // the face on the left of e
   int[] faceEdge; // a half-edge whose left face it is; NONE where the face was removed
-  private final FreeList edges;
   private final FreeList faces;
   private boolean frozen;
 
-  private Dcel(int vertices, int edgeCapacity, int faceCapacity) {
+  /** Without faces yet. */
+  private Dcel(int vertices, HalfEdges links) {
     outEdge = new int[vertices];
     degree = new int[vertices];
     Arrays.fill(outEdge, NONE);
-    next = new int[2 * edgeCapacity];
-    prev = new int[2 * edgeCapacity];
-    origin = new int[2 * edgeCapacity];
-    face = new int[2 * edgeCapacity];
-    faceEdge = new int[faceCapacity];
-    edges = new FreeList();
-    faces = new FreeList();
-  }
-
-  /** Without faces yet, and without a look at the arrays. */
-  private Dcel(int vertices, int[] next, int[] prev, int[] origin) {
-    outEdge = new int[vertices];
-    degree = new int[vertices];
-    Arrays.fill(outEdge, NONE);
-    this.next = next;
-    this.prev = prev;
-    this.origin = origin;
-    face = new int[next.length];
-    edges = new FreeList();
+    this.links = links;
+    readLinks();
+    face = new int[2 * links.room()];
     faces = new FreeList();
   }
 
   private Dcel(Dcel that) {
     outEdge = that.outEdge.clone();
     degree = that.degree.clone();
-    next = that.next.clone();
-    prev = that.prev.clone();
-    origin = that.origin.clone();
+    links = that.links.copy(that.links.room());
+    readLinks();
     face = that.face.clone();
     faceEdge = that.faceEdge.clone();
-    edges = new FreeList(that.edges);
     faces = new FreeList(that.faces);
   }
 
@@ -82,85 +66,44 @@ public final class Dcel {
    */
   public static Dcel cycle(int... walk) {
     int n = walk.length;
-    Dcel dcel = new Dcel(n, 2 * n - 3, n - 1);
-    dcel.faces.take(); // the outer one
+    Dcel dcel = new Dcel(n, new HalfEdges(n, 2 * n - 3));
+    dcel.faceEdge = new int[n - 1];
+    dcel.faceEdge[OUTER] = 1;
+    dcel.faces.take();
     int inner = dcel.faces.take();
     for (int k = 0; k < n; k++) {
-      dcel.edges.take();
-      dcel.set(2 * k, walk[k], 2 * ((k + 1) % n), 2 * ((k + n - 1) % n), inner);
-      int back = 2 * ((k + n - 1) % n) + 1;
-      dcel.set(2 * k + 1, walk[(k + 1) % n], back, 2 * ((k + 1) % n) + 1, OUTER);
+      int following = k + 1 == n ? 0 : k + 1;
+      dcel.links.link(2 * k, 2 * following);
+      dcel.links.link(2 * following + 1, 2 * k + 1);
+      dcel.origin[2 * k] = walk[k];
+      dcel.origin[2 * k + 1] = walk[following];
+      dcel.face[2 * k] = inner;
       dcel.outEdge[walk[k]] = 2 * k;
       dcel.degree[walk[k]] = 2;
     }
-    dcel.faceEdge[inner] = 0;
-    dcel.faceEdge[OUTER] = 1;
     return dcel;
-  }
-
-  private void set(int e, int from, int following, int preceding, int left) {
-    origin[e] = from;
-    next[e] = following;
-    prev[e] = preceding;
-    face[e] = left;
   }
 
   /**
-   * The subdivision with these half-edges, in linear time. Edges whose {@code next} is {@link
-   * #NONE} are left out; the last edges take their numbers, and all others keep theirs. Faces are
-   * found by walking.
+   * The subdivision with these half-edges, in linear time. Edges that are not in use are left out;
+   * the last edges take their numbers, and all others keep theirs. Faces are found by walking.
    *
-   * <p>The arrays become those of the subdivision: the caller must not use them again.
+   * <p>The links become those of the subdivision: the caller must not use them again.
    *
    * @param vertices the number of vertices; one without an edge stays isolated
-   * @param next the half-edge after each one around its left face
-   * @param prev the half-edge before each one
-   * @param origin the vertex that each one leaves
+   * @param links the half-edges
    * @param outer a half-edge of the outer face; of no account if there are no edges, and the whole
    *     plane is the outer face
    */
-  public static Dcel of(int vertices, int[] next, int[] prev, int[] origin, int outer) {
-    Dcel dcel = new Dcel(vertices, next, prev, origin);
-    int start = dcel.closeGaps(outer);
-    for (int e = 0; e < 2 * dcel.edges.bound(); e++) {
-      dcel.outEdge[origin[e]] = e;
-      dcel.degree[origin[e]]++;
+  public static Dcel of(int vertices, HalfEdges links, int outer) {
+    int start = links.closeGaps(outer);
+    Dcel dcel = new Dcel(vertices, links);
+    for (int e = 0; e < 2 * links.bound(); e++) {
+      dcel.outEdge[dcel.origin[e]] = e;
+      dcel.degree[dcel.origin[e]]++;
     }
-    dcel.findFaces(dcel.edges.bound() == 0 ? NONE : start);
+    dcel.findFaces(links.bound() == 0 ? NONE : start);
     return dcel;
-  }
-
-  /** Gives the numbers of missing edges to the last ones; returns where {@code watched} went. */
-  private int closeGaps(int watched) {
-    int end = next.length;
-    int moved = watched;
-    for (int e = 0; e < end; e += 2) {
-      while (e < end && next[e] == NONE) {
-        end -= 2;
-        if (e < end && next[end] != NONE) {
-          rename(end, e);
-          moved = (moved & ~1) == end ? e | (moved & 1) : moved;
-        }
-      }
-    }
-    edges.take(end / 2);
-    return moved;
-  }
-
-  /** Gives an edge, by its even half-edge, the number of one that is missing. */
-  private void rename(int from, int to) {
-    for (int side = 0; side < 2; side++) {
-      next[to + side] = next[from + side];
-      prev[to + side] = prev[from + side];
-      origin[to + side] = origin[from + side];
-    }
-    for (int side = 0; side < 2; side++) {
-      // An end without another edge links the edge with itself.
-      int following = next[to + side];
-      int preceding = prev[to + side];
-      link(to + side, (following & ~1) == from ? to | (following & 1) : following);
-      link((preceding & ~1) == from ? to | (preceding & 1) : preceding, to + side);
-    }
   }
 
   /**
@@ -169,13 +112,14 @@ public final class Dcel {
    */
   private void findFaces(int outer) {
     int components = 1;
-    faceEdge = new int[2 + components + edges.bound() - Math.min(edges.bound(), degree.length)];
+    int bound = links.bound();
+    faceEdge = new int[2 + components + bound - Math.min(bound, degree.length)];
     faceEdge[OUTER] = outer;
     int count = 1;
     if (outer != NONE) {
       relabel(outer, NONE);
     }
-    for (int e = 0; e < 2 * edges.bound(); e++) {
+    for (int e = 0; e < 2 * bound; e++) {
       if (face[e] == NONE) {
         continue; // walked before
       }
@@ -196,6 +140,11 @@ public final class Dcel {
     for (int f = outer == NONE ? 1 : 0; f < count; f++) {
       relabel(faceEdge[f], f);
     }
+  }
+
+  /** A copy of the half-edges, without faces. */
+  public HalfEdges links() {
+    return links.copy(links.bound());
   }
 
   /** A copy that can be changed, also if this one is frozen. */
@@ -224,7 +173,7 @@ public final class Dcel {
 
   /** The number of edges. */
   public int edgeCount() {
-    return edges.size();
+    return links.size();
   }
 
   /** The number of faces, the outer one included. */
@@ -236,7 +185,7 @@ public final class Dcel {
    * Edges are numbered below this; those that were removed keep their number until it is reused.
    */
   public int edgeBound() {
-    return edges.bound();
+    return links.bound();
   }
 
   /** Faces are numbered below this; those that were removed keep their number until reused. */
@@ -246,7 +195,7 @@ public final class Dcel {
 
   /** Whether the edge with this number exists: it may have been removed. */
   public boolean hasEdge(int edge) {
-    return next[2 * edge] != NONE;
+    return links.has(edge);
   }
 
   /** Whether the face with this number exists: it may have been removed. */
@@ -323,47 +272,27 @@ public final class Dcel {
         && face[a] != OUTER
         && next[a] != b
         && next[b] != a
-        && origin[a] != origin[b];
+        && origin(a) != origin(b);
   }
 
   /**
-   * Cuts the left face of a and b by a new edge from the origin of a to the origin of b.
+   * Cuts the left face of a and b by a new edge from the origin of a to the origin of b, as in
+   * {@link HalfEdges#connect}.
    *
-   * <pre>
-   *      ←──── ·            b's origin ───→ b
-   *      pb ↗                 ↑ │
-   *                         d │ │ twin(d)
-   *                           │ ↓
-   *      a ←──── a's origin ←──── pa
-   * </pre>
+   * <p>The left face of the new half-edge keeps b and loses a. The side with fewer edges gets the
+   * new face; both are walked in lock-step, so that the cost is the length of the shorter one.
    *
-   * The left face of d keeps b and loses a. The side with fewer edges gets the new face; both are
-   * walked in lock-step, so that the cost is the length of the shorter one.
-   *
-   * @return d, the new half-edge from the origin of a to that of b
+   * @return the new half-edge, from the origin of a to that of b
    */
   public int splitFace(int a, int b) {
     checkNotFrozen();
-    int pa = prev[a];
-    int pb = prev[b];
-    int d = newEdge();
-    int t = d ^ 1;
-    origin[d] = origin[a];
-    origin[t] = origin[b];
-    link(pa, d);
-    link(d, b);
-    link(pb, t);
-    link(t, a);
-    degree[origin[a]]++;
-    degree[origin[b]]++;
     int old = face[a];
-    int added = newFace();
-    boolean dIsShort = isShorter(d, t);
-    int shorter = dIsShort ? d : t;
-    relabel(shorter, added);
-    faceEdge[added] = shorter;
-    face[shorter ^ 1] = old;
-    faceEdge[old] = shorter ^ 1;
+    int d = links.connect(newEdge(), a, b);
+    degree[origin(a)]++;
+    degree[origin(b)]++;
+    int shorter = isShorter(d, d ^ 1) ? d : d ^ 1;
+    relabel(shorter, newFace(shorter));
+    label(shorter ^ 1, old);
     return d;
   }
 
@@ -379,23 +308,17 @@ public final class Dcel {
    */
   public int joinFaces(int e) {
     checkNotFrozen();
-    int t = e ^ 1;
-    int a = next[t];
-    int b = next[e];
-    int shorter = isShorter(e, t) ? e : t;
+    int a = next[e ^ 1];
+    int shorter = isShorter(e, e ^ 1) ? e : e ^ 1;
     int removed = face[shorter];
     int kept = face[shorter ^ 1];
     relabel(shorter, kept);
     faceEdge[kept] = a;
-    link(prev[e], a);
-    link(prev[t], b);
-    detach(origin[e], a);
-    detach(origin[t], b);
-    next[e] = NONE;
-    next[t] = NONE;
-    edges.give(e >> 1);
-    faceEdge[removed] = NONE;
-    faces.give(removed);
+    detach(origin(e), a);
+    detach(target(e), next[e]);
+    links.remove(e);
+    links.give(e);
+    freeFace(removed);
     return a;
   }
 
@@ -411,58 +334,160 @@ public final class Dcel {
         && face[e ^ 1] != OUTER
         && isTriangle(e)
         && isTriangle(e ^ 1)
-        && origin[prev[e]] != origin[prev[e ^ 1]];
+        && origin(prev(e)) != origin(prev(e ^ 1));
   }
 
   /**
-   * Turns e counter-clockwise inside the quadrilateral of its two triangles.
-   *
-   * <pre>
-   *          c                      c
-   *        ↙   ↖                  ↙ ↑ ↖
-   *     ca       bc             ca  │   bc
-   *    ↙           ↖           ↙    │     ↖
-   *   a ─── e ────→ b    →    a     e      b
-   *    ↘           ↗           ↘    │     ↗
-   *     ad       db             ad  │   db
-   *        ↘   ↗                  ↘ │ ↗
-   *          d                      d
-   * </pre>
+   * Turns e counter-clockwise inside the quadrilateral of its two triangles: {@link
+   * HalfEdges#flip}.
    */
   public void flip(int e) {
     checkNotFrozen();
     int t = e ^ 1;
     int bc = next[e];
-    int ca = prev[e];
     int ad = next[t];
-    int db = prev[t];
-    int a = origin[e];
-    int b = origin[t];
-    int c = origin[ca];
-    int d = origin[db];
+    detach(origin(e), ad);
+    detach(origin(t), bc);
+    links.flip(e);
+    degree[origin(e)]++;
+    degree[origin(t)]++;
     int left = face[e];
     int right = face[t];
-    link(e, ca);
-    link(ca, ad);
-    link(ad, e);
-    link(t, db);
-    link(db, bc);
-    link(bc, t);
-    origin[e] = d;
-    origin[t] = c;
     face[ad] = left;
     face[bc] = right;
     faceEdge[left] = e;
     faceEdge[right] = t;
-    detach(a, ad);
-    detach(b, bc);
-    degree[c]++;
-    degree[d]++;
   }
 
-  private void link(int e, int following) {
-    next[e] = following;
-    prev[following] = e;
+  /** Whether {@link #insertVertex} applies: v has no edge, and e an inner triangle on its left. */
+  public boolean canInsertVertex(int e, int v) {
+    return degree[v] == 0 && face[e] != OUTER && isTriangle(e);
+  }
+
+  /**
+   * Joins vertex v, which lies in the left triangle of e, to its three corners.
+   *
+   * <pre>
+   *            c                         c
+   *          ↙   ↖                     ↙ ↑ ↖
+   *        g       f                 g   z   f
+   *       ↙         ↖       →       ↙    │    ↖
+   *      ↙           ↖             ↙   ↙ v ↘   ↖
+   *     ↙             ↖           ↙ x         y ↖
+   *    a ───── e ────→ b         a ───── e ────→ b
+   * </pre>
+   *
+   * The triangle of e keeps its face.
+   *
+   * @return x, which leaves v and which e follows
+   */
+  public int insertVertex(int e, int v) {
+    checkNotFrozen();
+    int f = next[e];
+    int g = prev[e];
+    int x = links.hang(newEdge(), v, e);
+    int y = links.connect(newEdge(), x, f);
+    links.connect(newEdge(), y, g); // z
+    faceEdge[face[e]] = e;
+    relabel(e, face[e]);
+    relabel(f, newFace(f));
+    relabel(g, newFace(g));
+    attach(v, x, 3);
+    degree[origin(e)]++;
+    degree[origin(f)]++;
+    degree[origin(g)]++;
+    return x;
+  }
+
+  /** Whether {@link #removeVertex} applies: the origin of x has three triangles round it. */
+  public boolean canRemoveVertex(int x) {
+    int y = rotate(x);
+    int z = rotate(y);
+    return degree(origin(x)) == 3 && isInnerTriangle(x) && isInnerTriangle(y) && isInnerTriangle(z);
+  }
+
+  private boolean isInnerTriangle(int e) {
+    return face[e] != OUTER && isTriangle(e);
+  }
+
+  /**
+   * Makes one triangle of the three at the origin of x, which has no edge then: undoes {@link
+   * #insertVertex}, {@code removeVertex(insertVertex(e, v)) == e}.
+   *
+   * @return the half-edge after x, whose left face is the triangle that stays
+   */
+  public int removeVertex(int x) {
+    checkNotFrozen();
+    int e = next[x];
+    int y = rotate(x);
+    int z = rotate(y);
+    int f = next[y];
+    int g = next[z];
+    detach(origin(e), e);
+    detach(origin(f), f);
+    detach(origin(g), g);
+    attach(origin(x), NONE, 0);
+    freeFace(face[g]);
+    freeFace(face[f]);
+    links.remove(z);
+    links.remove(y);
+    links.unhang(x);
+    links.give(z);
+    links.give(y);
+    links.give(x);
+    faceEdge[face[e]] = e;
+    relabel(e, face[e]);
+    return e;
+  }
+
+  /** Whether {@link #splitEdge} applies: v has no edge. */
+  public boolean canSplitEdge(int e, int v) {
+    return hasEdge(e >> 1) && degree[v] == 0;
+  }
+
+  /**
+   * Puts vertex v, which has no edge, into the edge of e: {@link HalfEdges#split}. The faces on
+   * both sides get a vertex more.
+   *
+   * @return the new half-edge, from v to what was the target of e
+   */
+  public int splitEdge(int e, int v) {
+    checkNotFrozen();
+    int b = target(e);
+    int d = links.split(newEdge(), e, v);
+    face[d] = face[e];
+    face[d ^ 1] = face[e ^ 1];
+    outEdge[b] = d ^ 1;
+    attach(v, d, 2);
+    return d;
+  }
+
+  /** Whether {@link #joinEdges} applies: the origin of d has two edges, to different vertices. */
+  public boolean canJoinEdges(int d) {
+    return degree(origin(d)) == 2 && target(d) != origin(prev(d));
+  }
+
+  /**
+   * Makes one edge of the two at the origin of d, which has no edge then: undoes {@link
+   * #splitEdge}, {@code joinEdges(splitEdge(e, v)) == e}.
+   *
+   * @return the half-edge before d, which reaches now what d reached
+   */
+  public int joinEdges(int d) {
+    checkNotFrozen();
+    int e = prev[d];
+    attach(origin(d), NONE, 0);
+    links.join(d);
+    links.give(d);
+    outEdge[target(e)] = e ^ 1;
+    label(e, face[e]);
+    label(e ^ 1, face[e ^ 1]);
+    return e;
+  }
+
+  private void attach(int v, int out, int edges) {
+    outEdge[v] = out;
+    degree[v] = edges;
   }
 
   private boolean isShorter(int e, int f) {
@@ -483,24 +508,39 @@ public final class Dcel {
     } while (e != start);
   }
 
+  private void label(int e, int f) {
+    face[e] = f;
+    faceEdge[f] = e;
+  }
+
+  private void readLinks() {
+    next = links.next;
+    prev = links.prev;
+    origin = links.origin;
+  }
+
   private int newEdge() {
-    int e = 2 * edges.take();
-    if (e >= next.length) {
-      int longer = Math.max(8, e + e / 2) & ~1;
-      next = Arrays.copyOf(next, longer);
-      prev = Arrays.copyOf(prev, longer);
-      origin = Arrays.copyOf(origin, longer);
-      face = Arrays.copyOf(face, longer);
+    int e = links.take();
+    if (e >= face.length) {
+      readLinks();
+      face = Arrays.copyOf(face, 2 * links.room());
     }
     return e;
   }
 
-  private int newFace() {
+  /** A new face, with e on its border. */
+  private int newFace(int e) {
     int f = faces.take();
     if (f >= faceEdge.length) {
       faceEdge = Arrays.copyOf(faceEdge, Math.max(4, f + f / 2));
     }
+    faceEdge[f] = e;
     return f;
+  }
+
+  private void freeFace(int f) {
+    faceEdge[f] = NONE;
+    faces.give(f);
   }
 
   /**

@@ -2,6 +2,7 @@ package dct.core.triangulate;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Sites;
 
 /**
@@ -34,13 +35,13 @@ public final class Delaunay {
   private static Dcel topology(Sites sites, Progress progress) {
     int n = sites.size();
     if (n < 2) {
-      return Dcel.of(n, new int[0], new int[0], new int[0], Dcel.NONE);
+      return Dcel.of(n, new HalfEdges(0, 0), Dcel.NONE);
     }
     progress.report(0, "Sorting the sites");
     KdOrder order = new KdOrder(sites.points());
     DelaunayMerge merge = new DelaunayMerge(order, progress);
     int outer = merge.run();
     progress.report(0.9, "Linking the edges");
-    return Dcel.of(n, merge.next, merge.prev, merge.originSites(), outer);
+    return Dcel.of(n, merge.links(), outer);
   }
 }

@@ -1,26 +1,28 @@
 package dct.core.triangulate;
 
 import dct.core.Progress;
-import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
+import dct.core.dcel.HalfEdges.FreeEdges;
 import dct.core.geometry.Predicates;
 import java.util.concurrent.RecursiveTask;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * The recursion of {@link Delaunay} over {@link KdOrder}, on half-edge arrays as in {@link Dcel};
- * names as in Guibas and Stolfi (1985), Figure 23.
+ * The recursion of {@link Delaunay} over {@link KdOrder}, on {@link HalfEdges}; names as in Guibas
+ * and Stolfi (1985), Figure 23.
  *
  * <p>The part [lo, hi) owns the edges 3·lo … 3·hi − 1, which is enough, since m sites have at most
- * 3m − 3 edges. Those not in use are linked into a list of the part through {@code prev}; their
- * {@code next} is {@link Dcel#NONE}.
+ * 3m − 3 edges. Each part has its own list of those not in use, so that parts can be computed in
+ * parallel. The arrays of the links are read directly, since every call would cost here.
  */
 final class DelaunayMerge {
   private static final int PARALLEL = 1 << 10; // parts of at least this size are forked
   private static final int REPORTED = 1 << 13; // parts of at least this size report progress
 
-  final int[] next;
-  final int[] prev;
-  private final int[] origin; // a place in the order
+  private final HalfEdges links; // between places in the order
+  private final int[] next;
+  private final int[] prev;
+  private final int[] origin;
   private final KdOrder order;
   private final double[] x;
   private final double[] y;
@@ -32,9 +34,10 @@ final class DelaunayMerge {
     this.progress = progress;
     x = order.x;
     y = order.y;
-    next = new int[6 * x.length];
-    prev = new int[6 * x.length];
-    origin = new int[6 * x.length];
+    links = new HalfEdges(3 * x.length, 3 * x.length);
+    next = links.next();
+    prev = links.prev();
+    origin = links.origin();
   }
 
   /** Triangulates all sites; returns a half-edge of the outer face. */
@@ -42,22 +45,21 @@ final class DelaunayMerge {
     return new Task(0, x.length, true, KdOrder.ROOT).invoke().ldo ^ 1;
   }
 
-  /** The sites that the half-edges leave; the places are gone afterwards. */
-  int[] originSites() {
+  /** The links between the sites; the places are gone afterwards. */
+  HalfEdges links() {
     for (int e = 0; e < origin.length; e++) {
-      if (next[e] != Dcel.NONE) {
+      if (next[e] != HalfEdges.NONE) {
         origin[e] = order.site[origin[e]];
       }
     }
-    return origin;
+    return links;
   }
 
   /** What a merge needs to know of a triangulated part. */
   private static final class Part {
     int ldo; // counter-clockwise hull half-edge that leaves the first site along the axis
     int rdo; // clockwise hull half-edge that leaves the last site along the axis
-    int free = Dcel.NONE; // first of the part's edges not in use
-    int lastFree = Dcel.NONE;
+    final FreeEdges free = new FreeEdges(); // the part's edges not in use
   }
 
   private final class Task extends RecursiveTask<Part> {
@@ -139,7 +141,7 @@ final class DelaunayMerge {
 
   private Part segment(int lo) {
     Part part = new Part();
-    int a = makeEdge(3 * lo, lo, lo + 1);
+    int a = links.segment(6 * lo, lo, lo + 1);
     part.ldo = a;
     part.rdo = a ^ 1;
     release(part, 3 * lo + 1, 3 * (lo + 2));
@@ -148,16 +150,16 @@ final class DelaunayMerge {
 
   private Part triangle(int lo) {
     Part part = new Part();
-    int a = makeEdge(3 * lo, lo, lo + 1);
-    int b = makeEdge(3 * lo + 1, lo + 1, lo + 2);
-    link(a, b);
-    link(b ^ 1, a ^ 1);
+    int a = links.segment(6 * lo, lo, lo + 1);
+    int b = links.segment(6 * lo + 2, lo + 1, lo + 2);
+    links.link(a, b);
+    links.link(b ^ 1, a ^ 1);
     int turn = orient(lo, lo + 1, lo + 2);
     int firstFree = 3 * lo + 2;
     part.ldo = a;
     part.rdo = b ^ 1;
     if (turn != 0) {
-      int c = connect(firstFree++, b, a);
+      int c = links.connect(2 * firstFree++, b ^ 1, a);
       if (turn < 0) {
         part.ldo = c ^ 1;
         part.rdo = c;
@@ -169,27 +171,8 @@ final class DelaunayMerge {
 
   private void release(Part part, int firstEdge, int endEdge) {
     for (int edge = endEdge - 1; edge >= firstEdge; edge--) {
-      free(part, 2 * edge);
+      links.give(part.free, 2 * edge);
     }
-  }
-
-  private void free(Part part, int e) {
-    next[e] = Dcel.NONE;
-    next[e ^ 1] = Dcel.NONE;
-    prev[e] = part.free;
-    part.free = e;
-    if (part.lastFree == Dcel.NONE) {
-      part.lastFree = e;
-    }
-  }
-
-  private int take(Part part) {
-    int e = part.free;
-    part.free = prev[e];
-    if (part.free == Dcel.NONE) {
-      part.lastFree = Dcel.NONE;
-    }
-    return e >> 1;
   }
 
   // ---- the hull: counter-clockwise half-edges, whose twins border the outer face
@@ -244,23 +227,13 @@ final class DelaunayMerge {
         break;
       }
     }
-    Part part = concatenate(left, right);
-    int basel = connect(take(part), rdi ^ 1, ldi);
+    Part part = left;
+    links.append(part.free, right.free);
+    int basel = connect(part, rdi ^ 1, ldi);
     part.ldo = origin[ldi] == origin[ldo] ? basel ^ 1 : ldo;
     part.rdo = origin[rdi] == origin[rdo] ? basel : rdo;
     rise(part, basel);
     return part;
-  }
-
-  private Part concatenate(Part left, Part right) {
-    if (left.free == Dcel.NONE) {
-      return right;
-    }
-    if (right.free != Dcel.NONE) {
-      prev[left.lastFree] = right.free;
-      left.lastFree = right.lastFree;
-    }
-    return left;
   }
 
   /** Merges upwards from the base edge, which runs from the right part to the left one. */
@@ -269,28 +242,26 @@ final class DelaunayMerge {
     while (true) {
       int lcand = leftCandidate(part, basel);
       int rcand = rightCandidate(part, basel);
-      if (lcand == Dcel.NONE && rcand == Dcel.NONE) {
+      if (lcand == HalfEdges.NONE && rcand == HalfEdges.NONE) {
         return; // the upper common tangent
       }
       boolean takeRight =
-          lcand == Dcel.NONE
-              || (rcand != Dcel.NONE
+          lcand == HalfEdges.NONE
+              || (rcand != HalfEdges.NONE
                   && inCircle(origin[lcand ^ 1], origin[lcand], origin[rcand], origin[rcand ^ 1]));
-      basel =
-          takeRight
-              ? connect(take(part), rcand, basel ^ 1)
-              : connect(take(part), basel ^ 1, lcand ^ 1);
+      basel = takeRight ? connect(part, rcand, basel ^ 1) : connect(part, basel ^ 1, lcand ^ 1);
     }
   }
 
   /**
    * The edge from the base's left end to the site that the rising bubble meets first, after
-   * removing those that the bubble destroys; {@link Dcel#NONE} if no site there is above the base.
+   * removing those that the bubble destroys; {@link HalfEdges#NONE} if no site there is above the
+   * base.
    */
   private int leftCandidate(Part part, int basel) {
     int lcand = prev[basel ^ 1] ^ 1;
     if (!isRightOf(origin[lcand ^ 1], basel)) {
-      return Dcel.NONE;
+      return HalfEdges.NONE;
     }
     int following = prev[lcand] ^ 1;
     while (destroys(basel, lcand, following)) {
@@ -305,7 +276,7 @@ final class DelaunayMerge {
   private int rightCandidate(Part part, int basel) {
     int rcand = next[basel ^ 1];
     if (!isRightOf(origin[rcand ^ 1], basel)) {
-      return Dcel.NONE;
+      return HalfEdges.NONE;
     }
     int following = next[rcand ^ 1];
     while (destroys(basel, rcand, following)) {
@@ -325,40 +296,14 @@ final class DelaunayMerge {
 
   // ---- operators
 
-  private int makeEdge(int edge, int from, int to) {
-    int e = 2 * edge;
-    origin[e] = from;
-    origin[e ^ 1] = to;
-    link(e, e ^ 1);
-    link(e ^ 1, e);
-    return e;
-  }
-
   /** A new edge from the end of a to the start of b, on the left of both. */
-  private int connect(int edge, int a, int b) {
-    int e = 2 * edge;
-    int t = e ^ 1;
-    origin[e] = origin[a ^ 1];
-    origin[t] = origin[b];
-    link(t, next[a]);
-    link(prev[b], t);
-    link(a, e);
-    link(e, b);
-    return e;
+  private int connect(Part part, int a, int b) {
+    return links.connect(links.take(part.free), next[a], b);
   }
 
   private void delete(Part part, int e) {
-    int t = e ^ 1;
-    int nextOfT = next[t];
-    int prevOfT = prev[t];
-    link(prev[e], nextOfT);
-    link(prevOfT, next[e]);
-    free(part, e & ~1);
-  }
-
-  private void link(int e, int following) {
-    next[e] = following;
-    prev[following] = e;
+    links.remove(e);
+    links.give(part.free, e);
   }
 
   // ---- predicates on places

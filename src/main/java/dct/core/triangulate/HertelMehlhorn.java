@@ -2,6 +2,7 @@ package dct.core.triangulate;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 
@@ -20,21 +21,17 @@ import dct.core.geometry.SimplePolygon;
  */
 public final class HertelMehlhorn {
   private final Points points;
-  private final int[] next; // as in Dcel; NONE where the diagonal was removed
+  private final HalfEdges links; // of the diagonals that are left
+  private final int[] next;
   private final int[] prev;
   private final int[] origin;
 
   private HertelMehlhorn(Triangulation triangulation) {
     points = triangulation.points();
-    Dcel dcel = triangulation.dcel();
-    next = new int[2 * dcel.edgeCount()];
-    prev = new int[next.length];
-    origin = new int[next.length];
-    for (int e = 0; e < next.length; e++) {
-      next[e] = dcel.next(e);
-      prev[e] = dcel.prev(e);
-      origin[e] = dcel.origin(e);
-    }
+    links = triangulation.dcel().links();
+    next = links.next();
+    prev = links.prev();
+    origin = links.origin();
   }
 
   /**
@@ -48,11 +45,11 @@ public final class HertelMehlhorn {
     for (int edge = 0; edge < triangulation.edgeCount(); edge++) {
       Progress.tick(progress, edge, triangulation.edgeCount(), "Merging convex pieces");
       if (triangulation.kind(edge) != EdgeKind.BOUNDARY && run.isInessential(2 * edge)) {
-        run.remove(2 * edge);
+        run.links.remove(2 * edge); // the faces are found at the end
       }
     }
     int outer = triangulation.dcel().faceEdge(Dcel.OUTER);
-    return new Partition(polygon, Dcel.of(polygon.size(), run.next, run.prev, run.origin, outer));
+    return new Partition(polygon, Dcel.of(polygon.size(), run.links, outer));
   }
 
   private boolean isInessential(int e) {
@@ -64,19 +61,5 @@ public final class HertelMehlhorn {
     int clockwise = origin[next[e ^ 1] ^ 1];
     int counterClockwise = origin[prev[e]];
     return points.orient(clockwise, origin[e], counterClockwise) < 0;
-  }
-
-  /** Joins the two faces of e without a label for them: they are found at the end. */
-  private void remove(int e) {
-    int t = e ^ 1;
-    link(prev[e], next[t]);
-    link(prev[t], next[e]);
-    next[e] = Dcel.NONE;
-    next[t] = Dcel.NONE;
-  }
-
-  private void link(int e, int following) {
-    next[e] = following;
-    prev[following] = e;
   }
 }

@@ -3,10 +3,15 @@ package dct.core.dcel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -141,6 +146,150 @@ class DcelTest {
   }
 
   @Test
+  void removeVertexUndoesInsertVertex() {
+    for (int seed = 0; seed < 300; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulatedBeside(4 + random.nextInt(20), random);
+      int v = dcel.vertexCount() - 1;
+      int e = one(dcel, random, h -> dcel.canInsertVertex(h, v)).orElseThrow();
+      int face = dcel.face(e);
+      String before = snapshot(dcel);
+      int x = dcel.insertVertex(e, v);
+      dcel.validate();
+      assertThat(dcel.origin(x)).as("seed %d", seed).isEqualTo(v);
+      assertThat(dcel.next(x)).isEqualTo(e);
+      assertThat(dcel.face(e)).isEqualTo(face);
+      assertThat(dcel.degree(v)).isEqualTo(3);
+      assertThat(dcel.canRemoveVertex(x)).isTrue();
+      assertThat(dcel.removeVertex(x)).isEqualTo(e);
+      dcel.validate();
+      assertThat(dcel.face(e)).isEqualTo(face);
+      assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void insertVertexUndoesRemoveVertex() {
+    for (int seed = 0; seed < 300; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulatedBeside(4 + random.nextInt(20), random);
+      int v = dcel.vertexCount() - 1;
+      dcel.insertVertex(one(dcel, random, h -> dcel.canInsertVertex(h, v)).orElseThrow(), v);
+      int x = one(dcel, random, dcel::canRemoveVertex).orElseThrow();
+      int inner = dcel.origin(x);
+      int edges = dcel.edgeBound();
+      String before = snapshot(dcel);
+      int e = dcel.removeVertex(x);
+      dcel.validate();
+      assertThat(dcel.degree(inner)).isZero();
+      int again = dcel.insertVertex(e, inner);
+      dcel.validate();
+      assertThat(again >> 1).as("the number is used again, seed %d", seed).isEqualTo(x >> 1);
+      assertThat(dcel.edgeBound()).isEqualTo(edges);
+      assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void joinEdgesUndoesSplitEdgeInsideAndOnTheBoundary() {
+    for (int seed = 0; seed < 300; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulatedBeside(4 + random.nextInt(20), random);
+      int v = dcel.vertexCount() - 1;
+      int e = one(dcel, random, h -> true).orElseThrow();
+      int from = dcel.origin(e);
+      int to = dcel.target(e);
+      String before = snapshot(dcel);
+      int d = dcel.splitEdge(e, v);
+      dcel.validate();
+      assertThat(new int[] {dcel.origin(e), dcel.target(e), dcel.origin(d), dcel.target(d)})
+          .as("seed %d", seed)
+          .containsExactly(from, v, v, to);
+      assertThat(dcel.canJoinEdges(d)).isTrue();
+      assertThat(dcel.joinEdges(d)).isEqualTo(e);
+      dcel.validate();
+      assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+      assertThat(dcel.splitEdge(e, v) >> 1).as("used again").isEqualTo(d >> 1);
+    }
+  }
+
+  /** A path, as of sites on one line, has ends with a single edge. */
+  @Test
+  void theEndOfAPathCanBeSplitAndJoined() {
+    for (int e = 0; e < 4; e++) {
+      int[] next = {2, 0, 3, 1};
+      Dcel path = Dcel.of(4, HalfEdgesTest.linked(next, new int[] {0, 1, 1, 2}), 0);
+      String before = snapshot(path);
+      int d = path.splitEdge(e, 3);
+      path.validate();
+      assertThat(path.degree(3)).isEqualTo(2);
+      assertThat(path.joinEdges(d)).isEqualTo(e);
+      path.validate();
+      assertThat(snapshot(path)).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void longRandomSequencesUndoneBackwardsRestoreTheBeginning() {
+    for (int seed = 0; seed < 100; seed++) {
+      Random random = new Random(seed);
+      Dcel dcel = triangulatedBeside(4 + random.nextInt(12), random, 20);
+      String before = snapshot(dcel);
+      Deque<Runnable> undo = new ArrayDeque<>();
+      for (int step = 0; step < 80; step++) {
+        undoable(dcel, random).ifPresent(undo::push);
+        dcel.validate();
+      }
+      assertThat(undo).as("seed %d", seed).hasSizeGreaterThan(20);
+      while (!undo.isEmpty()) {
+        undo.pop().run();
+        dcel.validate();
+      }
+      assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
+    }
+  }
+
+  /** Does something and returns what undoes it. */
+  private static Optional<Runnable> undoable(Dcel dcel, Random random) {
+    int e = one(dcel, random, h -> true).orElseThrow();
+    int v = isolated(dcel);
+    switch (random.nextInt(4)) {
+      case 0 -> {
+        if (dcel.canInsertVertex(e, v)) {
+          int x = dcel.insertVertex(e, v);
+          return Optional.of(() -> dcel.removeVertex(x));
+        }
+      }
+      case 1 -> {
+        if (dcel.canFlip(e)) {
+          dcel.flip(e);
+          return Optional.of(() -> IntStream.range(0, 3).forEach(k -> dcel.flip(e)));
+        }
+      }
+      case 2 -> {
+        if (dcel.canSplitEdge(e, v)) {
+          int d = dcel.splitEdge(e, v);
+          return Optional.of(() -> dcel.joinEdges(d));
+        }
+      }
+      default -> {
+        int b = dcel.next(dcel.next(e));
+        if (dcel.canSplit(e, b)) {
+          int d = dcel.splitFace(e, b);
+          return Optional.of(() -> dcel.joinFaces(d));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** A vertex without an edge, or any if there is none. */
+  private static int isolated(Dcel dcel) {
+    int last = dcel.vertexCount() - 1;
+    return IntStream.rangeClosed(0, last).filter(v -> dcel.degree(v) == 0).findFirst().orElse(last);
+  }
+
+  @Test
   void longRandomSequencesKeepEveryLaw() {
     for (int seed = 0; seed < 60; seed++) {
       Random random = new Random(seed);
@@ -180,6 +329,27 @@ class DcelTest {
   }
 
   @Test
+  void guardsOfVerticesRefuseWhatCannotBeDone() {
+    Dcel dcel = triangulatedBeside(4, new Random(1));
+    int inner = one(dcel, new Random(1), h -> dcel.canFlip(h)).orElseThrow();
+    int outer = one(dcel, new Random(1), h -> dcel.face(h) == Dcel.OUTER).orElseThrow();
+    assertThat(dcel.canInsertVertex(inner, 4)).isTrue();
+    assertThat(dcel.canInsertVertex(inner, 0)).as("has edges already").isFalse();
+    assertThat(dcel.canInsertVertex(outer, 4)).as("the outer face").isFalse();
+    assertThat(dcel.canRemoveVertex(inner)).as("on the boundary").isFalse();
+    assertThat(dcel.canJoinEdges(inner)).as("three edges").isFalse();
+    assertThat(dcel.canSplitEdge(inner, 0)).as("has edges already").isFalse();
+    Dcel cycle = Dcel.cycle(walk(4));
+    assertThat(cycle.canInsertVertex(0, 0)).as("no triangle").isFalse();
+    assertThat(cycle.canJoinEdges(0)).isTrue();
+    cycle.joinEdges(0);
+    cycle.validate();
+    int[] digon = {2, 3, 0, 1};
+    Dcel twoEdges = Dcel.of(2, HalfEdgesTest.linked(digon, new int[] {0, 1, 1, 0}), 1);
+    assertThat(twoEdges.canJoinEdges(0)).as("both edges to one vertex").isFalse();
+  }
+
+  @Test
   void aFlipNeedsTwoTriangles() {
     Dcel pentagon = Dcel.cycle(0, 1, 2, 3, 4);
     int d = pentagon.splitFace(0, 4);
@@ -196,6 +366,10 @@ class DcelTest {
     assertThatThrownBy(() -> dcel.splitFace(4, 10)).isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> dcel.joinFaces(d)).isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> dcel.flip(d)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.insertVertex(d, 6)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.removeVertex(d)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.splitEdge(d, 6)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> dcel.joinEdges(0)).isInstanceOf(IllegalStateException.class);
     assertThat(snapshot(dcel)).isEqualTo(before);
     Dcel copy = dcel.copy();
     copy.joinFaces(d);
@@ -222,12 +396,7 @@ class DcelTest {
   }
 
   private static Dcel rebuilt(Dcel dcel) {
-    return Dcel.of(
-        dcel.vertexCount(),
-        Arrays.copyOf(dcel.next, 2 * dcel.edgeBound()),
-        dcel.prev.clone(),
-        dcel.origin.clone(),
-        dcel.faceEdge(Dcel.OUTER));
+    return Dcel.of(dcel.vertexCount(), dcel.links(), dcel.faceEdge(Dcel.OUTER));
   }
 
   @Test
@@ -242,8 +411,8 @@ class DcelTest {
 
   @Test
   void ofKeepsIsolatedVertices() {
-    Dcel path =
-        Dcel.of(4, new int[] {2, 0, 3, 1}, new int[] {1, 3, 0, 2}, new int[] {0, 1, 1, 2}, 0);
+    int[] next = {2, 0, 3, 1};
+    Dcel path = Dcel.of(4, HalfEdgesTest.linked(next, new int[] {0, 1, 1, 2}), 0);
     path.validate();
     assertThat(path.degree(3)).isZero();
     assertThat(path.outEdge(3)).isEqualTo(Dcel.NONE);
@@ -254,7 +423,7 @@ class DcelTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 5})
   void ofKnowsTheEmptyPlane(int vertices) {
-    Dcel empty = Dcel.of(vertices, new int[0], new int[0], new int[0], Dcel.NONE);
+    Dcel empty = Dcel.of(vertices, new HalfEdges(0, 0), Dcel.NONE);
     empty.validate();
     assertThat(empty.edgeCount()).isZero();
     assertThat(empty.faceCount()).isEqualTo(1);
@@ -285,6 +454,21 @@ class DcelTest {
       dcel.splitFace(pair[0], pair[1]);
     }
     return dcel;
+  }
+
+  /** A triangulated n-gon and a vertex without an edge. */
+  private static Dcel triangulatedBeside(int n, Random random) {
+    return triangulatedBeside(n, random, 1);
+  }
+
+  private static Dcel triangulatedBeside(int n, Random random, int isolated) {
+    Dcel polygon = triangulated(n, random);
+    return Dcel.of(n + isolated, polygon.links(), polygon.faceEdge(Dcel.OUTER));
+  }
+
+  private static Optional<Integer> one(Dcel dcel, Random random, IntPredicate which) {
+    List<Integer> all = handles(dcel).stream().filter(which::test).toList();
+    return all.isEmpty() ? Optional.empty() : Optional.of(all.get(random.nextInt(all.size())));
   }
 
   private static Dcel randomSubdivision(Random random) {

@@ -1,6 +1,7 @@
 package dct.core.degree.exact;
 
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
@@ -10,9 +11,7 @@ import java.util.Arrays;
 /** A triangulation of a few sites from its triangles. O(n²) space. */
 final class TriangleMesh {
   private final int[][] edge; // half-edge by origin and target, or Dcel.NONE
-  private final int[] next;
-  private final int[] prev;
-  private final int[] origin;
+  private final HalfEdges links;
   private int used; // half-edges
 
   private TriangleMesh(int n, int triangles) {
@@ -20,11 +19,9 @@ final class TriangleMesh {
     for (int[] row : edge) {
       Arrays.fill(row, Dcel.NONE);
     }
-    int most = 6 * triangles; // three edges a triangle if no two share one
-    next = new int[most];
-    prev = new int[most];
-    origin = new int[most];
-    Arrays.fill(next, Dcel.NONE);
+    int most = 3 * triangles; // three edges a triangle if no two share one
+    links = new HalfEdges(most, most);
+    Arrays.fill(links.next(), HalfEdges.NONE);
   }
 
   /**
@@ -42,46 +39,36 @@ final class TriangleMesh {
   }
 
   private void add(int a, int b, int c) {
-    link(edge(a, b), edge(b, c));
-    link(edge(b, c), edge(c, a));
-    link(edge(c, a), edge(a, b));
+    links.link(edge(a, b), edge(b, c));
+    links.link(edge(b, c), edge(c, a));
+    links.link(edge(c, a), edge(a, b));
   }
 
   private int edge(int from, int to) {
     if (edge[from][to] == Dcel.NONE) {
       edge[from][to] = used++;
       edge[to][from] = used++;
-      origin[edge[from][to]] = from;
-      origin[edge[to][from]] = to;
+      links.origin()[edge[from][to]] = from;
+      links.origin()[edge[to][from]] = to;
     }
     return edge[from][to];
-  }
-
-  private void link(int e, int following) {
-    next[e] = following;
-    prev[following] = e;
   }
 
   /** Links the half-edges without a triangle: at each hull site one arrives and one leaves. */
   private Dcel close(int n) {
     int[] leaving = new int[n];
     for (int e = 0; e < used; e++) {
-      if (next[e] == Dcel.NONE) {
-        leaving[origin[e]] = e;
+      if (links.next()[e] == HalfEdges.NONE) {
+        leaving[links.origin()[e]] = e;
       }
     }
     int outer = Dcel.NONE;
     for (int e = 0; e < used; e++) {
-      if (next[e] == Dcel.NONE) {
-        link(e, leaving[origin[e ^ 1]]);
+      if (links.next()[e] == HalfEdges.NONE) {
+        links.link(e, leaving[links.origin()[e ^ 1]]);
         outer = e;
       }
     }
-    return Dcel.of(
-        n,
-        Arrays.copyOf(next, used),
-        Arrays.copyOf(prev, used),
-        Arrays.copyOf(origin, used),
-        outer);
+    return Dcel.of(n, links, outer);
   }
 }

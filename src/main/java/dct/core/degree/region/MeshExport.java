@@ -1,6 +1,7 @@
 package dct.core.degree.region;
 
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 
@@ -10,9 +11,7 @@ final class MeshExport {
   private final int[] site; // by vertex of the mesh: its number among the sites
   private final int[] half; // by half-edge of the mesh: its number in the result
   private final int[] outward; // by vertex: the half-edge of the outer face that leaves it
-  private int[] next;
-  private int[] prev;
-  private int[] origin;
+  private HalfEdges links;
 
   MeshExport(SearchMesh mesh, int[] site) {
     this.mesh = mesh;
@@ -23,9 +22,7 @@ final class MeshExport {
 
   /** The triangulation; its edges are numbered along the triangles of the mesh. */
   Triangulation toTriangulation(Triangulation start) {
-    next = new int[2 * start.edgeCount()];
-    prev = new int[next.length];
-    origin = new int[next.length];
+    links = new HalfEdges(start.edgeCount(), start.edgeCount());
     number();
     int outer = SearchMesh.NONE;
     for (int e = 0; e < half.length; e++) {
@@ -34,7 +31,7 @@ final class MeshExport {
         outer = mesh.twin[e] == SearchMesh.NONE ? copyOutside(e) : outer;
       }
     }
-    Dcel dcel = Dcel.of(mesh.size(), next, prev, origin, outer);
+    Dcel dcel = Dcel.of(mesh.size(), links, outer);
     return new Triangulation(start.domain(), start.points(), dcel, edge -> EdgeKind.DIAGONAL);
   }
 
@@ -60,18 +57,14 @@ final class MeshExport {
   }
 
   private void copy(int e) {
-    int h = half[e];
-    next[h] = half[SearchMesh.next(e)];
-    prev[h] = half[SearchMesh.prev(e)];
-    origin[h] = site[mesh.corner[e]];
+    links.link(half[e], half[SearchMesh.next(e)]);
+    links.origin()[half[e]] = site[mesh.corner[e]];
   }
 
   private int copyOutside(int e) {
     int h = half[e] + 1;
-    int following = outward[mesh.corner[e]];
-    origin[h] = site[mesh.corner[SearchMesh.next(e)]];
-    next[h] = following;
-    prev[following] = h;
+    links.link(h, outward[mesh.corner[e]]);
+    links.origin()[h] = site[mesh.corner[SearchMesh.next(e)]];
     return h;
   }
 }
