@@ -11,8 +11,9 @@ import dct.core.geometry.Points;
  * <p>The upper part of the tree is that of the cells of a grid over the bounding box, halved in
  * turn along both axes and numbered from left to right, into which the sites are counted in linear
  * time. A part is cut at its median where the cells end, or where they would leave a single site on
- * one side: by quickselect with a median of three from fixed places, O(n log n) expected time in
- * all.
+ * one side: by quickselect with a median of three from fixed places, and where these do badly with
+ * the median of medians, so that every order of the sites takes O(n log n) time in all. Where the
+ * sites end does not depend on the pivots, since no two are equal and the last few are sorted.
  */
 final class KdOrder {
   static final int LEAF = 8; // parts of so many sites or fewer are not cut
@@ -20,6 +21,7 @@ final class KdOrder {
   static final int MEDIANS = 0; // in place of a node: from here on, cuts are at medians
   private static final int PER_CELL = 9; // sites at least, on average
   private static final int MOST_LEVELS = 24;
+  private static final int FEW_LOOKS = 8; // for each site; twice what a median takes on average
 
   final double[] x; // coordinates, by place
   final double[] y;
@@ -90,14 +92,14 @@ final class KdOrder {
     return byX ? px < qx || (px == qx && py < qy) : py < qy || (py == qy && px < qx);
   }
 
-  /** Sorts a few sites by x and then y, by insertion. */
-  void sortFew(int lo, int hi) {
+  /** Sorts a few sites by x and then y, or by y and then x, by insertion. */
+  void sortFew(int lo, int hi, boolean byX) {
     for (int i = lo + 1; i < hi; i++) {
       double px = x[i];
       double py = y[i];
       int s = site[i];
       int j = i;
-      for (; j > lo && precedes(px, py, x[j - 1], y[j - 1], true); j--) {
+      for (; j > lo && precedes(px, py, x[j - 1], y[j - 1], byX); j--) {
         x[j] = x[j - 1];
         y[j] = y[j - 1];
         site[j] = site[j - 1];
@@ -108,12 +110,25 @@ final class KdOrder {
     }
   }
 
-  /** Puts the site that belongs at {@code place} of [first, last] there, smaller ones before it. */
-  private void select(int first, int last, int place, boolean byX) {
+  /**
+   * Puts the site that belongs at {@code place} of [first, last] there, smaller ones before it.
+   *
+   * @return how many places were looked at, at most 60 for each site
+   */
+  long select(int first, int last, int place, boolean byX) {
+    long budget = FEW_LOOKS * (last - first + 1L);
+    long looks = 0;
     int lo = first;
     int hi = last;
     while (lo < hi) {
-      int pivot = medianOfThree(lo, (lo + hi) >>> 1, hi, byX);
+      int pivot;
+      if (looks <= budget) {
+        pivot = medianOfThree(lo, (lo + hi) >>> 1, hi, byX);
+      } else { // an order made against the medians of three
+        looks += medianOfMedians(lo, hi, byX);
+        pivot = lo;
+      }
+      looks += hi - lo + 1;
       double px = x[pivot];
       double py = y[pivot];
       int i = lo;
@@ -134,9 +149,29 @@ final class KdOrder {
       } else if (place >= i) {
         lo = i;
       } else {
-        return;
+        break;
       }
     }
+    return looks;
+  }
+
+  /**
+   * Puts a site at lo that three tenths of [lo, hi] precede and three tenths follow: the median of
+   * the medians of five (Blum, Floyd, Pratt, Rivest and Tarjan 1973).
+   *
+   * @return how many places were looked at
+   */
+  private long medianOfMedians(int lo, int hi, boolean byX) {
+    int medians = lo;
+    for (int five = lo; five <= hi; five += 5) {
+      int end = Math.min(five + 5, hi + 1);
+      sortFew(five, end, byX);
+      swap(medians++, (five + end - 1) >>> 1);
+    }
+    int middle = (lo + medians - 1) >>> 1;
+    long looks = select(lo, medians - 1, middle, byX);
+    swap(lo, middle);
+    return looks + hi - lo + 1;
   }
 
   private int medianOfThree(int a, int b, int c, boolean byX) {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -71,6 +72,103 @@ class KdOrderTest {
     Walk walk = new Walk(new KdOrder(Points.of(x, y)));
     walk.visit(0, n, true, KdOrder.ROOT);
     assertThat(walk.largestMedian).isLessThan(60);
+  }
+
+  /** With medians of three alone the looks are quadratic: hundreds for each of so few sites. */
+  @ParameterizedTest
+  @ValueSource(ints = {100, 1_000, 6_000})
+  void anOrderMadeAgainstMediansOfThreeIsCutInLinearTime(int n) {
+    KdOrder killer = new KdOrder(inOneCell(new MedianOfThreeKiller(n).values()));
+    assertThat(killer.select(0, n - 1, n / 2, true)).isLessThanOrEqualTo(60L * n);
+    for (int place = 0; place < n; place++) {
+      assertThat(killer.precedes(n / 2, place, true)).isEqualTo(place > n / 2);
+    }
+  }
+
+  @Test
+  void ordinaryOrdersAreCutByMediansOfThree() {
+    int n = 100_000;
+    double[] x = coordinates(n, new Random(1)::nextDouble);
+    assertThat(new KdOrder(inOneCell(x)).select(0, n - 1, n / 2, true)).isLessThan(6L * n);
+    Arrays.sort(x);
+    assertThat(new KdOrder(inOneCell(x)).select(0, n - 1, n / 2, true)).isLessThan(2L * n);
+  }
+
+  /**
+   * Sites on a line in this order, and one so far away that all others share a cell of the grid.
+   */
+  private static Points inOneCell(double[] values) {
+    double[] x = Arrays.copyOf(values, values.length + 1);
+    x[values.length] = 1e18;
+    return Points.of(x, x.clone());
+  }
+
+  /**
+   * Makes an order for which the median of three of first, middle and last is as bad as it can be:
+   * values are fixed only when two open ones are compared, the lowest first (M. D. McIlroy, <i>A
+   * Killer Adversary for Quicksort</i>, 1999).
+   */
+  private static final class MedianOfThreeKiller {
+    private static final int OPEN = Integer.MAX_VALUE;
+
+    private final int[] value; // by first place
+    private final int[] at; // by place now: the first place of what is there
+    private int fixed;
+    private int candidate;
+
+    MedianOfThreeKiller(int n) {
+      value = new int[n];
+      Arrays.fill(value, OPEN);
+      at = range(n);
+      select(n / 2);
+    }
+
+    double[] values() {
+      return Arrays.stream(value).mapToDouble(v -> v == OPEN ? fixed++ : v).toArray();
+    }
+
+    private boolean precedes(int a, int b) {
+      if (value[a] == OPEN && value[b] == OPEN) {
+        value[a == candidate ? a : b] = fixed++;
+      }
+      candidate = value[a] == OPEN ? a : value[b] == OPEN ? b : candidate;
+      return value[a] < value[b];
+    }
+
+    private void select(int place) {
+      int lo = 0;
+      int hi = at.length - 1;
+      while (lo < hi) {
+        int pivot = at[median(lo, (lo + hi) >>> 1, hi)];
+        int i = lo;
+        int j = hi;
+        while (i <= j) {
+          while (precedes(at[i], pivot)) {
+            i++;
+          }
+          while (precedes(pivot, at[j])) {
+            j--;
+          }
+          if (i <= j) {
+            int swap = at[i];
+            at[i++] = at[j];
+            at[j--] = swap;
+          }
+        }
+        hi = place <= j ? j : hi;
+        lo = place >= i ? i : lo;
+        if (place > j && place < i) {
+          return;
+        }
+      }
+    }
+
+    private int median(int a, int b, int c) {
+      if (precedes(at[a], at[b])) {
+        return precedes(at[b], at[c]) ? b : precedes(at[a], at[c]) ? c : a;
+      }
+      return precedes(at[a], at[c]) ? a : precedes(at[b], at[c]) ? c : b;
+    }
   }
 
   private static double[] coordinates(int n, DoubleSupplier next) {
