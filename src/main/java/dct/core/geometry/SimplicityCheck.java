@@ -170,7 +170,7 @@ public final class SimplicityCheck {
     int cda = points.orient(c, d, a);
     int cdb = points.orient(c, d, b);
     if (abc * abd < 0 && cda * cdb < 0) {
-      reportCrossing(e, f);
+      defect = Crossings.defect(points, e, f);
     } else if (abc == 0 && abd == 0) {
       if (isBetween(a, c, d) || isBetween(b, c, d) || isBetween(c, a, b)) {
         int inside = isBetween(a, c, d) ? a : isBetween(b, c, d) ? b : c;
@@ -196,10 +196,5 @@ public final class SimplicityCheck {
 
   private void report(Defect.Kind kind, int first, int second, int where) {
     defect = new Defect(kind, first, second, points.x(where), points.y(where), n);
-  }
-
-  private void reportCrossing(int e, int f) {
-    double[] at = BigPredicates.crossing(points, e, after(e), f, after(f));
-    defect = new Defect(Defect.Kind.CROSSING, e, f, at[0], at[1], n);
   }
 }

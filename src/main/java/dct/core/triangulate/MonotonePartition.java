@@ -2,6 +2,7 @@ package dct.core.triangulate;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.geometry.Crossings;
 import dct.core.geometry.PlaneOrder;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
@@ -65,7 +66,9 @@ public final class MonotonePartition {
 
   /**
    * The trapezoid chords of a simple polygon: from each vertex, level, to the first point of the
-   * boundary, where the inside is between.
+   * boundary, where the inside is between. They are the lines of Figure 2.4, for pictures of how
+   * the partition comes about: each end is rounded towards its vertex, so that no chord leaves the
+   * polygon, whatever the scale.
    *
    * @throws java.util.concurrent.CancellationException if cancelled
    */
@@ -79,7 +82,7 @@ public final class MonotonePartition {
    * A level line of sight.
    *
    * @param vertex where it starts
-   * @param x where it meets the boundary, rounded
+   * @param x where it meets the boundary, rounded towards the vertex
    * @param y the y-coordinate of both ends
    */
   public record Chord(int vertex, double x, double y) {}
@@ -128,7 +131,7 @@ public final class MonotonePartition {
   /** The boundary goes down through k, the inside is on its right. */
   private void passLeft(int k) {
     int old = before(k);
-    chord(k, opposite[old]);
+    chord(k, opposite[old], true);
     if (hangs[old]) {
       dcel.splitFace(2 * k, support[old]);
     }
@@ -139,7 +142,7 @@ public final class MonotonePartition {
   /** The boundary goes up through k, the inside is on its left. */
   private void passRight(int k) {
     int left = opposite[k];
-    chord(k, left);
+    chord(k, left, false);
     int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
     openTrapezoid(left, before(k), corner, false);
   }
@@ -152,8 +155,8 @@ public final class MonotonePartition {
       openTrapezoid(k, before(k), 2 * k, false);
       return;
     }
-    chord(k, left);
-    chord(k, opposite[left]);
+    chord(k, left, false);
+    chord(k, opposite[left], true);
     int corner = dcel.splitFace(2 * k, support[left]);
     openTrapezoid(k, opposite[left], 2 * k, false);
     openTrapezoid(left, before(k), corner, false);
@@ -170,8 +173,8 @@ public final class MonotonePartition {
     if (convex) {
       return;
     }
-    chord(k, left);
-    chord(k, opposite[right]);
+    chord(k, left, false);
+    chord(k, opposite[right], true);
     int corner = hangs[left] ? dcel.splitFace(2 * k, support[left]) : 2 * k;
     openTrapezoid(left, opposite[right], corner, true);
   }
@@ -187,37 +190,35 @@ public final class MonotonePartition {
    * Adds the chord from k to the edge, or to a level vertex before it. One of no length, or along a
    * level edge, is left out.
    */
-  private void chord(int k, int edge) {
+  private void chord(int k, int edge, boolean rightwards) {
     if (chords == null) {
       return;
     }
-    double from = points.x(polygon.vertex(k));
-    double to = levelX(k, edge);
-    int w = rank[k] + (to > from ? 1 : -1); // no other vertex can be level and nearer
-    if (w >= 0 && w < n && points.y(order[w]) == points.y(polygon.vertex(k))) {
+    int v = polygon.vertex(k);
+    double to = levelX(v, edge, rightwards);
+    int w = rank[k] + (rightwards ? 1 : -1); // no other vertex can be level and nearer
+    if (w >= 0 && w < n && points.y(order[w]) == points.y(v)) {
       int level = position(order[w]);
       if (level == before(k) || level == after(k)) {
         return;
       }
-      to = nearer(from, to, points.x(order[w]));
+      to = nearer(to, points.x(order[w]), rightwards);
     }
-    if (to != from) {
-      chords.add(new Chord(polygon.vertex(k), to, points.y(polygon.vertex(k))));
+    if (to != points.x(v)) {
+      chords.add(new Chord(v, to, points.y(v)));
     }
   }
 
-  /** Where the level line through position k meets the edge, rounded. */
-  private double levelX(int k, int edge) {
-    int v = polygon.vertex(k);
+  /** Where the level line from v meets the edge, rounded towards v. */
+  private double levelX(int v, int edge, boolean rightwards) {
     int a = polygon.vertex(edge);
     int b = polygon.vertex(after(edge));
-    double height = points.y(b) - points.y(a);
-    return height == 0
-        ? nearer(points.x(v), points.x(a), points.x(b))
-        : points.x(a) + (points.y(v) - points.y(a)) / height * (points.x(b) - points.x(a));
+    return points.y(a) == points.y(b)
+        ? nearer(points.x(a), points.x(b), rightwards)
+        : Crossings.levelX(points, a, b, points.y(v), rightwards);
   }
 
-  private static double nearer(double x, double a, double b) {
-    return Math.abs(a - x) < Math.abs(b - x) ? a : b;
+  private static double nearer(double x1, double x2, boolean rightwards) {
+    return rightwards ? Math.min(x1, x2) : Math.max(x1, x2);
   }
 }

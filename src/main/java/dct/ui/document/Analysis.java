@@ -2,6 +2,7 @@ package dct.ui.document;
 
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
+import dct.core.geometry.Crossings;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
@@ -86,7 +87,7 @@ public final class Analysis {
         .ifPresent(
             first -> {
               defects.add(first);
-              defects.addAll(Crossings.of(points));
+              defects.addAll(Crossings.of(points, progress));
             });
     return List.copyOf(defects);
   }

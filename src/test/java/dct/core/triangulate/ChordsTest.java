@@ -11,6 +11,7 @@ import dct.core.triangulate.MonotonePartition.Chord;
 import dct.testing.RandomPolygons;
 import dct.testing.RandomPolygons.Family;
 import dct.testing.Transforms;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -57,6 +58,72 @@ class ChordsTest {
     assertThat(chords).as(what).hasSize(expected);
   }
 
+  /** Where differences of coordinates overflow, and between vertices an ulp apart. */
+  @Test
+  void everyChordEndsInsideOrOnTheBoundaryAtTheLimitsOfDoubles() {
+    double most = Double.MAX_VALUE;
+    checkEnds(
+        Points.ofPairs(most, 6.2e-61, most, most, -most, -1), "a triangle from limit to limit");
+    for (Family family : RandomPolygons.families()) {
+      for (int seed = 0; seed < 40; seed++) {
+        Points p = family.make(3 + seed % 30, seed);
+        double largest = 0;
+        for (int v = 0; v < p.size(); v++) {
+          largest = Math.max(largest, Math.max(Math.abs(p.x(v)), Math.abs(p.y(v))));
+        }
+        int up = Double.MAX_EXPONENT - Math.getExponent(largest);
+        String what = family + ", seed " + seed;
+        checkEnds(p, what);
+        checkEnds(scaled(p, up), what + ", as large as can be");
+        if (family.name().equals("ulps")) {
+          checkEnds(Transforms.rotated(p, 2), what + ", turned");
+        }
+      }
+    }
+  }
+
+  private static Points scaled(Points p, int exponent) {
+    double[] x = Arrays.stream(p.xs()).map(value -> Math.scalb(value, exponent)).toArray();
+    double[] y = Arrays.stream(p.ys()).map(value -> Math.scalb(value, exponent)).toArray();
+    return Points.of(x, y);
+  }
+
+  private static void checkEnds(Points p, String what) {
+    for (Chord c : MonotonePartition.chords(SimplePolygon.of(p, Progress.NONE), Progress.NONE)) {
+      assertThat(c.x()).as(what).isFinite().isNotEqualTo(p.x(c.vertex()));
+      double beyond = c.x() > p.x(c.vertex()) ? Math.nextUp(c.x()) : Math.nextDown(c.x());
+      assertThat(isInside(p, c.x(), c.y()) || isOnBoundary(p, c.x(), c.y())).as(what).isTrue();
+      assertThat(isBoundaryBetween(p, c.x(), beyond, c.y())).as("longest, %s", what).isTrue();
+    }
+  }
+
+  /** Whether an edge meets the level line at x1, at x2 or between them. */
+  private static boolean isBoundaryBetween(Points p, double x1, double x2, double y) {
+    for (int a = 0; a < p.size(); a++) {
+      int b = (a + 1) % p.size();
+      int side1 = Predicates.orient(p.x(a), p.y(a), p.x(b), p.y(b), x1, y);
+      int side2 = Predicates.orient(p.x(a), p.y(a), p.x(b), p.y(b), x2, y);
+      if (side1 * side2 <= 0 && Math.min(p.y(a), p.y(b)) <= y && y <= Math.max(p.y(a), p.y(b))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isOnBoundary(Points p, double x, double y) {
+    for (int a = 0; a < p.size(); a++) {
+      int b = (a + 1) % p.size();
+      if (Predicates.orient(p.x(a), p.y(a), p.x(b), p.y(b), x, y) == 0
+          && Math.min(p.x(a), p.x(b)) <= x
+          && x <= Math.max(p.x(a), p.x(b))
+          && Math.min(p.y(a), p.y(b)) <= y
+          && y <= Math.max(p.y(a), p.y(b))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** 1 if there must be a chord on this side of v, after finding it; else 0. */
   private static int checkSide(Points p, int v, int side, List<Chord> chords, String what) {
     double nearest = nearest(p, v, side);
@@ -98,19 +165,15 @@ class ChordsTest {
 
   /** Whether (x, y) lies inside and not on the boundary: counts the edges above it. */
   private static boolean isInside(Points p, double x, double y) {
+    if (isOnBoundary(p, x, y)) {
+      return false;
+    }
     boolean inside = false;
     for (int a = 0; a < p.size(); a++) {
       int b = (a + 1) % p.size();
       boolean rightwards = p.x(a) < p.x(b);
       int turn = Predicates.orient(p.x(a), p.y(a), p.x(b), p.y(b), x, y);
       boolean between = (p.x(a) <= x) != (p.x(b) <= x);
-      if (turn == 0
-          && Math.min(p.x(a), p.x(b)) <= x
-          && x <= Math.max(p.x(a), p.x(b))
-          && Math.min(p.y(a), p.y(b)) <= y
-          && y <= Math.max(p.y(a), p.y(b))) {
-        return false;
-      }
       inside ^= between && turn == (rightwards ? -1 : 1);
     }
     return inside;
