@@ -42,6 +42,21 @@ public final class HalfEdges {
     origin = new int[2 * room];
   }
 
+  /**
+   * Half-edges that are linked already.
+   *
+   * @param next the half-edge after each one
+   * @param origin the vertex that each one leaves
+   */
+  public static HalfEdges of(int[] next, int[] origin) {
+    HalfEdges links = new HalfEdges(next.length / 2, next.length / 2);
+    for (int e = 0; e < next.length; e++) {
+      links.link(e, next[e]);
+      links.origin[e] = origin[e];
+    }
+    return links;
+  }
+
   /** A copy, with room for so many edges. */
   HalfEdges copy(int room) {
     HalfEdges copy = new HalfEdges(edges, 0);

@@ -1,6 +1,7 @@
 package dct.problem.verify;
 
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Points;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -133,11 +134,7 @@ final class PlaneGraph {
 
   /** The topology of a plane triangulation, half-edges numbered as here. */
   Dcel toDcel() {
-    int[] prev = new int[next.length];
-    for (int e = 0; e < next.length; e++) {
-      prev[next[e]] = e;
-    }
-    return Dcel.of(points.size(), next.clone(), prev, origin.clone(), outer());
+    return Dcel.of(points.size(), HalfEdges.of(next, origin), outer());
   }
 
   int halfEdges() {

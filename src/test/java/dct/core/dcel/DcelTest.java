@@ -218,7 +218,7 @@ class DcelTest {
   void theEndOfAPathCanBeSplitAndJoined() {
     for (int e = 0; e < 4; e++) {
       int[] next = {2, 0, 3, 1};
-      Dcel path = Dcel.of(4, HalfEdgesTest.linked(next, new int[] {0, 1, 1, 2}), 0);
+      Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0);
       String before = snapshot(path);
       int d = path.splitEdge(e, 3);
       path.validate();
@@ -345,7 +345,7 @@ class DcelTest {
     cycle.joinEdges(0);
     cycle.validate();
     int[] digon = {2, 3, 0, 1};
-    Dcel twoEdges = Dcel.of(2, HalfEdgesTest.linked(digon, new int[] {0, 1, 1, 0}), 1);
+    Dcel twoEdges = Dcel.of(2, HalfEdges.of(digon, new int[] {0, 1, 1, 0}), 1);
     assertThat(twoEdges.canJoinEdges(0)).as("both edges to one vertex").isFalse();
   }
 
@@ -412,7 +412,7 @@ class DcelTest {
   @Test
   void ofKeepsIsolatedVertices() {
     int[] next = {2, 0, 3, 1};
-    Dcel path = Dcel.of(4, HalfEdgesTest.linked(next, new int[] {0, 1, 1, 2}), 0);
+    Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0);
     path.validate();
     assertThat(path.degree(3)).isZero();
     assertThat(path.outEdge(3)).isEqualTo(Dcel.NONE);

@@ -23,16 +23,6 @@ import org.junit.jupiter.api.Test;
  */
 class HalfEdgesTest {
 
-  /** Half-edges with these links; {@code prev} follows from {@code next}. */
-  static HalfEdges linked(int[] next, int[] origin) {
-    HalfEdges links = new HalfEdges(next.length / 2, next.length / 2);
-    for (int e = 0; e < next.length; e++) {
-      links.link(e, next[e]);
-      links.origin[e] = origin[e];
-    }
-    return links;
-  }
-
   private static HalfEdges triangle() {
     HalfEdges links = new HalfEdges(2, 3);
     int a = links.segment(0, 0, 1);
