@@ -46,6 +46,24 @@ class MainTest {
   }
 
   @Test
+  void a_heap_that_is_too_small_gives_one_clear_sentence()
+      throws IOException, InterruptedException {
+    StringBuilder circle = new StringBuilder();
+    for (int k = 0; k < 1200; k++) {
+      double angle = 2 * Math.PI * k / 1200;
+      circle.append(Math.cos(angle)).append(' ').append(Math.sin(angle)).append('\n');
+    }
+    String file = Files.writeString(folder.resolve("circle.txt"), circle).toString();
+    Process process =
+        ProgramProcess.of(List.of("-Xmx24m"), "triangulate", file, "--optimize", "odd").start();
+    assertThat(ProgramProcess.text(process.getInputStream())).isEmpty();
+    assertThat(ProgramProcess.text(process.getErrorStream()))
+        .isEqualTo(
+            "dct: there is not enough memory; give Java more with -Xmx, for instance -Xmx4g\n");
+    assertThat(process.waitFor()).isEqualTo(1);
+  }
+
+  @Test
   void without_a_display_the_window_says_so() throws IOException, InterruptedException {
     assertNoDisplay(ProgramProcess.of(List.of("-Djava.awt.headless=true")));
     Path file = Files.writeString(folder.resolve("t_pointbased.txt"), "0 0\n4 0\n0 4\n");

@@ -35,6 +35,11 @@ public record Optimum(
         bound.reason());
   }
 
+  /** What a search tells the user on its way. */
+  public static String soFar(int unmet) {
+    return "Best so far: " + unmet + " unmet";
+  }
+
   /** Whether no triangulation can satisfy more: the bound is attained. */
   public boolean isProven() {
     return unsatisfied == bound.value();

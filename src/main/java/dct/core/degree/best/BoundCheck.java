@@ -7,7 +7,6 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
 import dct.core.degree.bound.SiteBounds;
-import dct.core.degree.exact.ExactSites;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -16,15 +15,18 @@ import dct.core.triangulate.Triangulation;
 /**
  * What can be said of a lower bound that someone claims, from the input alone.
  *
- * <p>The bounds are computed anew, those of linear time first, and no further than the claim. Where
- * they do not reach it the exact optimum decides, if it can be found in a few seconds: up to 16
- * sites, and some sets of up to 22; polygons of up to 1500 vertices.
+ * <p>The bounds that take linear time come first. Where they do not reach the claim, the input is
+ * solved anew with a small effort: exactly if it is small enough for that ({@link SearchLimits}),
+ * or else by a search together with all the bounds. An exact optimum decides every claim. Otherwise
+ * a claim is recomputed if a bound reaches it, and false if a triangulation was found that has
+ * fewer unmet vertices; what is between the two stays open and must not be believed.
  *
  * @param verdict what became of the claim
- * @param recomputed the best bound that was computed
+ * @param recomputed the best bound that was computed; for a false claim the number of unmet
+ *     vertices of the triangulation that refutes it
  */
 public record BoundCheck(Verdict verdict, LowerBound recomputed) {
-  private static final int MOST_VERTICES = 1500; // of a polygon whose optimum is computed
+  private static final double EFFORT = 0.1; // of the usual
 
   /** What became of the claim. */
   public enum Verdict {
@@ -45,13 +47,9 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
   public static BoundCheck of(Sites sites, ParityGoal goal, int claimed, Progress progress) {
     Triangulation start = Delaunay.triangulate(sites, progress);
     LowerBound quick = SiteBounds.quick(start, goal);
-    if (quick.value() >= claimed) {
-      return new BoundCheck(Verdict.RECOMPUTED, quick);
-    }
-    if (ExactSites.canSolve(start)) {
-      return exact(ExactSites.optimize(start, goal, progress).bound(), claimed);
-    }
-    return inexact(SiteBounds.of(start, goal), claimed);
+    return quick.value() >= claimed
+        ? new BoundCheck(Verdict.RECOMPUTED, quick)
+        : judge(BestTriangulation.of(start, goal, limits(), progress), claimed, progress);
   }
 
   /**
@@ -63,19 +61,23 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
   public static BoundCheck of(
       SimplePolygon polygon, ParityGoal goal, int claimed, Progress progress) {
     LowerBound quick = PolygonBounds.of(polygon.size(), goal);
-    if (quick.value() >= claimed || polygon.size() > MOST_VERTICES) {
-      return inexact(quick, claimed);
-    }
-    Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, progress);
+    return quick.value() >= claimed
+        ? new BoundCheck(Verdict.RECOMPUTED, quick)
+        : judge(BestTriangulation.of(polygon, goal, limits(), progress), claimed, progress);
+  }
+
+  private static SearchLimits limits() {
+    return new SearchLimits(SearchLimits.DEFAULT.seed(), EFFORT, Double.POSITIVE_INFINITY);
+  }
+
+  private static BoundCheck judge(Optimum found, int claimed, Progress progress) {
     progress.checkCancelled();
-    return best.isProven() ? exact(best.bound(), claimed) : inexact(best.bound(), claimed);
-  }
-
-  private static BoundCheck exact(LowerBound optimum, int claimed) {
-    return new BoundCheck(optimum.value() >= claimed ? Verdict.RECOMPUTED : Verdict.FALSE, optimum);
-  }
-
-  private static BoundCheck inexact(LowerBound bound, int claimed) {
-    return new BoundCheck(bound.value() >= claimed ? Verdict.RECOMPUTED : Verdict.OPEN, bound);
+    int unmet = found.unsatisfied();
+    if (unmet < claimed) {
+      String reason = found.isProven() ? found.bound().reason() : "a triangulation found";
+      return new BoundCheck(Verdict.FALSE, new LowerBound(unmet, reason));
+    }
+    boolean isReached = found.bound().value() >= claimed;
+    return new BoundCheck(isReached ? Verdict.RECOMPUTED : Verdict.OPEN, found.bound());
   }
 }

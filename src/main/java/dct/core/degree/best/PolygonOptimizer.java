@@ -8,16 +8,20 @@ import dct.core.degree.ConvexPieces;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.PartitioningAqt;
+import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
 import dct.core.degree.region.ParityTable;
 import dct.core.degree.region.PolygonImprover;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.core.triangulate.VisibilityGraph;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
@@ -25,59 +29,78 @@ import java.util.concurrent.CancellationException;
  *
  * <p>Takes any simple polygon. A strictly convex one whose vertices shall all be even is handed to
  * {@link Aqt}, which is optimal there. Otherwise the exact table over the pairs of vertices that
- * see each other ({@link ParityTable}) gives the optimum, proven, if its memory and its steps stay
- * within bounds that are checked first. Larger polygons go to {@link PolygonImprover}, whose result
- * is the best found, never worse than Scan-Flip on Partitioning-AQT, with the bound of {@link
- * PolygonBounds}.
+ * see each other ({@link ParityTable}) gives the optimum, proven, if its pairs and its steps stay
+ * within the fixed budget of {@link SearchLimits}, which is checked first. Larger polygons go to
+ * {@link PolygonImprover}, whose result is the best found, with the bound of {@link PolygonBounds}.
  *
- * <p>Deterministic for the seed and effort, unless the time limit or a cancel ends it early: then
- * the best so far is returned at once, marked as interrupted.
+ * <p>The thesis's own algorithms come first, in time near linear, and what comes back is never
+ * worse than the best of those that were done. Deterministic for the seed and effort, unless the
+ * time limit or a cancel ends it early: then the best so far is returned at once, marked as
+ * interrupted. A cancel before the first triangulation is there throws; the time limit waits for
+ * it.
  */
 public final class PolygonOptimizer {
-  private static final int BYTES_A_PAIR = 48;
-  private static final long MOST_STEPS = 20_000_000_000L; // about a minute on two cores
-
   private final SimplePolygon polygon;
   private final ParityGoal goal;
   private final SearchLimits limits;
-  private final Progress progress;
+  private final Deadline clock;
+  private final LowerBound bound;
+  private Triangulation best;
 
   private PolygonOptimizer(
       SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
     this.polygon = polygon;
     this.goal = goal;
     this.limits = limits;
-    this.progress = new Deadline(progress, limits.seconds());
+    clock = new Deadline(progress, limits.seconds());
+    bound = PolygonBounds.of(polygon.size(), goal);
+    best = MonotoneTriangulation.triangulate(polygon, progress);
   }
 
-  /** The best triangulation, or the best found within the limits. */
+  /**
+   * The best triangulation, or the best found within the limits.
+   *
+   * @throws CancellationException if cancelled before there is a triangulation
+   */
   public static Optimum optimize(
       SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
-    return new PolygonOptimizer(polygon, goal, limits, progress).run();
+    return isSolvedByAqt(polygon, goal)
+        ? aqt(polygon, goal, progress)
+        : new PolygonOptimizer(polygon, goal, limits, progress).run();
   }
 
-  private Optimum run() {
+  /**
+   * The proven optimum, or empty if the table would be too large.
+   *
+   * @param any a triangulation of the polygon
+   * @throws CancellationException if cancelled
+   */
+  static Optional<Optimum> exact(
+      SimplePolygon polygon, ParityGoal goal, Triangulation any, Progress progress) {
+    return isSolvedByAqt(polygon, goal)
+        ? Optional.of(aqt(polygon, goal, progress))
+        : table(polygon, goal, any, progress);
+  }
+
+  // ---- strictly convex, all even
+
+  private static boolean isSolvedByAqt(SimplePolygon polygon, ParityGoal goal) {
+    return goal.isAll(ParityGoal.Wish.EVEN) && ConvexPieces.isConvex(polygon);
+  }
+
+  private static Optimum aqt(SimplePolygon polygon, ParityGoal goal, Progress progress) {
+    Triangulation made = Aqt.triangulate(polygon, progress);
     LowerBound bound = PolygonBounds.of(polygon.size(), goal);
-    if (goal.isAll(ParityGoal.Wish.EVEN) && ConvexPieces.isConvex(polygon)) {
-      return optimum(Aqt.triangulate(polygon, progress), bound, false);
-    }
-    Triangulation start = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
-    try {
-      Triangulation exact = exact(start);
-      if (exact != null) {
-        return optimum(exact, proven(exact, bound), false);
-      }
-      return improved(bound);
-    } catch (CancellationException e) {
-      return optimum(PolygonImprover.thesisBest(polygon, goal, start), bound, true);
-    }
+    return new Optimum(made, goal, goal.unsatisfied(made), bound, false);
   }
 
-  /** The exact optimum, or null if the table would be too large. */
-  private Triangulation exact(Triangulation start) {
-    VisibilityGraph graph = VisibilityGraph.of(polygon, start, mostPairs(), progress);
-    if (graph == null || ParityTable.steps(graph) > MOST_STEPS) {
-      return null;
+  // ---- the table
+
+  private static Optional<Optimum> table(
+      SimplePolygon polygon, ParityGoal goal, Triangulation any, Progress progress) {
+    VisibilityGraph graph = VisibilityGraph.of(polygon, any, SearchLimits.MOST_PAIRS, progress);
+    if (graph == null || ParityTable.steps(graph) > SearchLimits.MOST_STEPS) {
+      return Optional.empty();
     }
     ParityGoal.Wish[] wishes = new ParityGoal.Wish[polygon.size()];
     int[] corner = new int[wishes.length];
@@ -88,28 +111,50 @@ public final class PolygonOptimizer {
     ParityTable table = ParityTable.fill(graph, ParityTable.costs(wishes), new int[0], progress);
     Dcel dcel = Dcel.cycle(polygon.walk());
     table.cut(dcel, corner);
-    return new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL);
+    return Optional.of(
+        proven(
+            new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL),
+            goal));
   }
 
-  /** Half of the memory that the program may still take. */
-  private static long mostPairs() {
-    Runtime runtime = Runtime.getRuntime();
-    long free = runtime.maxMemory() - runtime.totalMemory() + runtime.freeMemory();
-    return Math.min(Integer.MAX_VALUE / 4, free / 2 / BYTES_A_PAIR);
+  private static Optimum proven(Triangulation exact, ParityGoal goal) {
+    int unmet = goal.unsatisfied(exact);
+    LowerBound bound =
+        PolygonBounds.of(goal.size(), goal)
+            .max(new LowerBound(unmet, "exact table over all triangulations"));
+    return new Optimum(exact, goal, unmet, bound, false);
   }
 
-  private LowerBound proven(Triangulation exact, LowerBound bound) {
-    int unsatisfied = goal.unsatisfied(exact);
-    return bound.max(new LowerBound(unsatisfied, "exact table over all triangulations"));
+  // ---- everything
+
+  private Optimum run() {
+    try {
+      takeThesisBest();
+      Optional<Optimum> exact = table(polygon, goal, best, clock);
+      if (exact.isPresent()) {
+        return exact.get();
+      }
+      best = new PolygonImprover(polygon, goal, limits, clock).run(best, bound.value());
+    } catch (CancellationException e) {
+      return found(true);
+    }
+    return found(clock.hasStruck());
   }
 
-  private Optimum improved(LowerBound bound) {
-    PolygonImprover improver = new PolygonImprover(polygon, goal, limits, progress);
-    Triangulation best = improver.run(bound.value());
-    return optimum(best, bound, improver.wasInterrupted());
-  }
-
-  private Optimum optimum(Triangulation best, LowerBound bound, boolean interrupted) {
+  private Optimum found(boolean interrupted) {
     return new Optimum(best, goal, goal.unsatisfied(best), bound, interrupted);
+  }
+
+  /** The best of what the thesis's own algorithms make of the polygon. */
+  private void takeThesisBest() {
+    take(ScanFlip.run(best, clock).after());
+    Triangulation pieces = PartitioningAqt.triangulate(polygon, clock);
+    take(pieces);
+    take(ScanFlip.run(pieces, clock).after());
+    take(ScanFlip.run(EarClipping.triangulate(polygon, clock), clock).after());
+  }
+
+  private void take(Triangulation other) {
+    best = goal.unsatisfied(other) < goal.unsatisfied(best) ? other : best;
   }
 }

@@ -1,5 +1,6 @@
 package dct.core.degree.bound;
 
+import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import java.util.Optional;
@@ -40,11 +41,13 @@ final class HullWalkBound {
   private final ParityGoal goal;
   private final Handshake handshake;
   private final int known; // a bound up to this is of no use
+  private final Progress progress;
 
-  private HullWalkBound(HullRing ring, ParityGoal goal, int known) {
+  private HullWalkBound(HullRing ring, ParityGoal goal, int known, Progress progress) {
     this.ring = ring;
     this.goal = goal;
     this.known = known;
+    this.progress = progress;
     handshake = new Handshake(goal);
   }
 
@@ -53,18 +56,20 @@ final class HullWalkBound {
    * than that.
    *
    * @return empty if that is too much to compute
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  static Optional<LowerBound> ofWalk(HullRing ring, ParityGoal goal, int known) {
-    return new HullWalkBound(ring, goal, known).closedWalk();
+  static Optional<LowerBound> ofWalk(HullRing ring, ParityGoal goal, int known, Progress progress) {
+    return new HullWalkBound(ring, goal, known, progress).closedWalk();
   }
 
   /**
    * The bound of the strips, rounded up.
    *
    * @return empty if that is too much to compute
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  static Optional<LowerBound> ofStrips(HullRing ring, ParityGoal goal) {
-    return new HullWalkBound(ring, goal, 0).strips();
+  static Optional<LowerBound> ofStrips(HullRing ring, ParityGoal goal, Progress progress) {
+    return new HullWalkBound(ring, goal, 0, progress).strips();
   }
 
   private boolean isCheap(int hullVertices) {
@@ -84,6 +89,7 @@ final class HullWalkBound {
     EmptyFan[] fans = new EmptyFan[ring.size()];
     int left = MOST_TRIANGLES;
     for (int k = 0; k < fans.length; k++) {
+      progress.checkCancelled();
       fans[k] = EmptyFan.of(ring, k, left).orElse(null);
       if (fans[k] == null) {
         return Optional.empty();
@@ -149,6 +155,7 @@ final class HullWalkBound {
     private int closed(HullWalk walk, int apex) {
       walk.startAt(apex);
       for (int k = first; k < first + fans.length; k++) {
+        progress.checkCancelled();
         int position = k % fans.length;
         walk.pass(fans[position], goal.wish(ring.site(position)));
         steps += walk.layers() * (long) fans[position].triangles();
@@ -193,6 +200,7 @@ final class HullWalkBound {
   private int alongSide(int from, int to) {
     HullWalk walk = new HullWalk(goal.size(), false);
     for (int k = from; k < to; k++) {
+      progress.checkCancelled();
       Optional<EmptyFan> fan = EmptyFan.of(ring, k, MOST_TRIANGLES);
       if (fan.isEmpty()) {
         return -1;

@@ -5,8 +5,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 
 /**
- * The bound for sites that are all the lattice points of a lattice polygon, for any lattice in the
- * plane.
+ * The bound for sites that are all the lattice points of a lattice polygon ({@link Lattice}).
  *
  * <p>Choose a basis of the lattice; an edge between neighbouring lattice points has a vector that
  * is (1, 0), (0, 1) or (1, 1) modulo 2, its class. Every triangle of a triangulation that uses all
@@ -19,39 +18,20 @@ import dct.core.degree.ParityGoal.Wish;
  * difference on the boundary is the number of black triangles less that of white ones. ∎ With all
  * wishes even the boundary is black: where its edges are not of the three classes in equal numbers,
  * at least one wish, and by the handshake lemma two, are missed. A rectangle along the axes has no
- * boundary edge of class (1, 1).
- *
- * <p>The lattice is recognised exactly: coordinates are whole multiples of one power of two, less
- * than 2³⁰ of it apart; all triangles have one area; and every site is a whole combination of two
- * sides of one triangle. Lattices of finer coordinates are not looked for. O(n) time, much less
- * where the sites are no lattice.
+ * boundary edge of class (1, 1). O(n) time.
  */
 final class LatticeBound {
-  private final HullRing ring;
-  private final WholeCoordinates sites;
-  private final int[] corners; // of all triangles
-  private final long area; // twice that of every triangle, in the unit of the coordinates
 
-  private LatticeBound(HullRing ring, WholeCoordinates sites) {
-    this.ring = ring;
-    this.sites = sites;
-    corners = ring.triangulation().triangles();
-    area = sites.cross(corners[0], corners[1], corners[2]);
-  }
+  private LatticeBound() {}
 
   static LowerBound of(HullRing ring, ParityGoal goal) {
     return new LowerBound(isObstructed(ring, goal) ? 1 : 0, "full lattice polygon");
   }
 
   private static boolean isObstructed(HullRing ring, ParityGoal goal) {
-    if (!BoundaryColouring.areInnerEven(ring, goal) || hasFreeSite(ring, goal)) {
-      return false;
-    }
-    return WholeCoordinates.of(ring.points())
-        .map(sites -> new LatticeBound(ring, sites))
-        .filter(LatticeBound::isFullLattice)
-        .map(lattice -> !lattice.isBalanced(goal))
-        .orElse(false);
+    return BoundaryColouring.areInnerEven(ring, goal)
+        && !hasFreeSite(ring, goal)
+        && Lattice.of(ring.triangulation()).filter(l -> !isBalanced(l, ring, goal)).isPresent();
   }
 
   private static boolean hasFreeSite(HullRing ring, ParityGoal goal) {
@@ -63,51 +43,18 @@ final class LatticeBound {
     return false;
   }
 
-  private boolean isFullLattice() {
-    return haveOneArea() && isEverySiteOnLattice();
-  }
-
-  private boolean haveOneArea() {
-    for (int k = 0; k < corners.length; k += 3) {
-      if (sites.cross(corners[k], corners[k + 1], corners[k + 2]) != area) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private boolean isEverySiteOnLattice() {
-    for (int v = 0; v < ring.points().size(); v++) {
-      if (first(v) % area != 0 || second(v) % area != 0) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** The first lattice coordinate of v times the area, by Cramer's rule. */
-  private long first(int v) {
-    return sites.cross(corners[0], v, corners[2]);
-  }
-
-  private long second(int v) {
-    return sites.cross(corners[0], corners[1], v);
-  }
-
   /** Whether the coloured boundary edges have the same sum in each class. */
-  private boolean isBalanced(ParityGoal goal) {
+  private static boolean isBalanced(Lattice lattice, HullRing ring, ParityGoal goal) {
     int[] sum = new int[4]; // by class
     int colour = 1;
     for (int k = 0; k < ring.size(); k++) {
       colour = goal.wish(ring.site(k)) == Wish.ODD ? -colour : colour;
-      sum[parities(ring.site(k)) ^ parities(ring.site(k + 1))] += colour;
+      sum[parities(lattice, ring.site(k)) ^ parities(lattice, ring.site(k + 1))] += colour;
     }
     return sum[1] == sum[2] && sum[2] == sum[3];
   }
 
-  private int parities(int v) {
-    long first = Math.floorDiv(first(v), area) & 1;
-    long second = Math.floorDiv(second(v), area) & 1;
-    return (int) (first + 2 * second);
+  private static int parities(Lattice lattice, int v) {
+    return (int) ((lattice.first(v) & 1) + 2 * (lattice.second(v) & 1));
   }
 }

@@ -1,11 +1,13 @@
 package dct.core.degree.bound;
 
+import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 
 /**
  * The best lower bound known for the number of sites that miss their wished parity in any
@@ -38,11 +40,14 @@ public final class SiteBounds {
    * The largest of all the bounds. If the hull walk was left out the reason says so.
    *
    * @param triangulation any triangulation of the sites
+   * @param progress if it asks to stop, the hull walk is left out too
    * @throws IllegalArgumentException if it is one of a polygon, or has another number of vertices
    */
-  public static LowerBound of(Triangulation triangulation, ParityGoal goal) {
+  public static LowerBound of(Triangulation triangulation, ParityGoal goal, Progress progress) {
     check(triangulation, goal);
-    return isPath(triangulation) ? onePath(triangulation, goal) : best(triangulation, goal, true);
+    return isPath(triangulation)
+        ? onePath(triangulation, goal)
+        : linear(triangulation, goal).walk(progress);
   }
 
   /**
@@ -54,7 +59,7 @@ public final class SiteBounds {
    */
   public static LowerBound quick(Triangulation triangulation, ParityGoal goal) {
     check(triangulation, goal);
-    return isPath(triangulation) ? onePath(triangulation, goal) : best(triangulation, goal, false);
+    return isPath(triangulation) ? onePath(triangulation, goal) : linear(triangulation, goal).best;
   }
 
   private static void check(Triangulation triangulation, ParityGoal goal) {
@@ -71,27 +76,29 @@ public final class SiteBounds {
     return new LowerBound(goal.unsatisfied(triangulation), "all sites on one line");
   }
 
-  private static LowerBound best(Triangulation triangulation, ParityGoal goal, boolean thorough) {
+  private static SiteBounds linear(Triangulation triangulation, ParityGoal goal) {
     SiteBounds bounds = new SiteBounds(triangulation, goal);
     bounds.improve(DegreeSumBound.of(bounds.ring, goal));
     bounds.improve(LongSideBound.of(bounds.ring, goal));
     bounds.improve(LatticeBound.of(bounds.ring, goal));
     bounds.improve(ThreeHullSites.of(bounds.ring, goal, bounds.best.value()));
-    if (thorough) {
-      bounds.walk();
-    }
-    return bounds.best;
+    return bounds;
   }
 
   private void improve(LowerBound bound) {
     best = best.max(handshake.roundUp(bound));
   }
 
-  private void walk() {
-    Optional<LowerBound> walked = HullWalkBound.ofWalk(ring, goal, best.value());
-    walked.or(() -> HullWalkBound.ofStrips(ring, goal)).ifPresent(this::improve);
+  private LowerBound walk(Progress progress) {
+    Optional<LowerBound> walked;
+    try {
+      walked = HullWalkBound.ofWalk(ring, goal, best.value(), progress);
+      walked.or(() -> HullWalkBound.ofStrips(ring, goal, progress)).ifPresent(this::improve);
+    } catch (CancellationException e) {
+      return best;
+    }
     improve(ThreeHullSites.of(ring, goal, goal.isAll(Wish.EVEN) ? best.value() : 0));
-    best = walked.isPresent() ? best : notWalked(best);
+    return walked.isPresent() ? best : notWalked(best);
   }
 
   private static LowerBound notWalked(LowerBound bound) {

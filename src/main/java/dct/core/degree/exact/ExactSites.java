@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 
@@ -29,7 +30,6 @@ public final class ExactSites {
   public static final int ALWAYS = 16;
 
   private static final int MOST_SITES = 22;
-  private static final long MOST_STATES = 60_000_000;
 
   private ExactSites() {}
 
@@ -45,8 +45,7 @@ public final class ExactSites {
   }
 
   private static boolean hasFewStates(Triangulation start) {
-    return start.vertexCount() <= MOST_SITES
-        && states(order(start)) <= Math.min(MOST_STATES, Runtime.getRuntime().maxMemory() / 4);
+    return start.vertexCount() <= MOST_SITES && states(order(start)) <= SearchLimits.MOST_STATES;
   }
 
   /** The direction of the sweep that meets fewer states: across long rows rather than along. */

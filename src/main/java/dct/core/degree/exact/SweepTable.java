@@ -26,6 +26,7 @@ import java.util.Arrays;
 final class SweepTable {
   static final byte UNREACHED = 64;
   private static final int NO_PATH = -1;
+  private static final int STATES_BETWEEN_REPORTS = 1 << 12;
 
   private final SweepOrder sites;
   private final ParityGoal goal;
@@ -155,10 +156,13 @@ final class SweepTable {
     int lower = hullPath(true);
     // On the bare path all sites have two edges, the first and the last one.
     cost[offset[lower] + (1 | 2 << Integer.bitCount(lower))] = 0;
+    long states = 0;
     for (int i = 0; i < order.length; i++) {
-      if (i % 64 == 0) {
+      long since = states / STATES_BETWEEN_REPORTS;
+      states += 4L << Integer.bitCount(order[i]);
+      if (i == 0 || states / STATES_BETWEEN_REPORTS > since) {
         progress.checkCancelled();
-        progress.report((double) i / order.length, "Searching every triangulation");
+        progress.report((double) states / cost.length, "Searching every triangulation");
       }
       leave(order[i]);
     }

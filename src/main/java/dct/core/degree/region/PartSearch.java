@@ -1,5 +1,6 @@
 package dct.core.degree.region;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
 
 /**
@@ -19,7 +20,7 @@ import dct.core.SeededRandom;
  */
 public final class PartSearch {
   private static final int SIZE = 10; // vertices of a region
-  private static final int CHECK_EVERY = 32; // steps between two looks at the clock
+  private static final int CHECK_EVERY = 32; // steps between two looks at the progress
   private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
   private static final int DETOUR = 64; // how far along the curve a vertex is led astray
   private static final int PATIENCE = 6; // steps of one walk that come no nearer
@@ -30,7 +31,7 @@ public final class PartSearch {
 
   private final SearchMesh mesh;
   private final SeededRandom random;
-  private final SearchClock clock;
+  private final Progress progress;
   private final int lo;
   private final int hi;
   private final MeshRegion region;
@@ -44,10 +45,10 @@ public final class PartSearch {
   private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
   private int second; // the one after it, or NONE
 
-  public PartSearch(SearchMesh mesh, SeededRandom random, SearchClock clock, int lo, int hi) {
+  public PartSearch(SearchMesh mesh, SeededRandom random, Progress progress, int lo, int hi) {
     this.mesh = mesh;
     this.random = random;
-    this.clock = clock;
+    this.progress = progress;
     this.lo = lo;
     this.hi = hi;
     region = new MeshRegion(mesh, random, LARGEST, lo, hi);
@@ -83,7 +84,7 @@ public final class PartSearch {
   }
 
   private boolean isOver() {
-    return ++steps % CHECK_EVERY == 0 && clock.isOver();
+    return ++steps % CHECK_EVERY == 0 && progress.isCancelled();
   }
 
   /**
@@ -93,7 +94,7 @@ public final class PartSearch {
   public void pairUp(int enough, int patience) {
     collect();
     int idle = 0;
-    while (unsatisfied > enough && idle < patience && !clock.isOver()) {
+    while (unsatisfied > enough && idle < patience && !progress.isCancelled()) {
       int before = unsatisfied;
       round(enough, idle);
       idle = unsatisfied < before ? 0 : idle + 1;

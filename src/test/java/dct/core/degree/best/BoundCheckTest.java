@@ -1,19 +1,25 @@
 package dct.core.degree.best;
 
+import static dct.core.Progress.NONE;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BoundCheck.Verdict;
 import dct.core.degree.bound.SmallSets;
+import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.experiment.generate.RandomSites;
 import dct.testing.FlipGraph;
 import dct.testing.RandomPolygons;
 import dct.testing.RandomSets.Family;
 import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -41,7 +47,7 @@ class BoundCheckTest {
       if (sites.size() > 2 && sites.size() < 11) {
         int least = new FlipGraph(sites.points()).least(goal);
         for (int claimed = 0; claimed < least + 4; claimed++) {
-          BoundCheck check = BoundCheck.of(sites, goal, claimed, Progress.NONE);
+          BoundCheck check = BoundCheck.of(sites, goal, claimed, NONE);
           assertThat(check.recomputed().value()).isLessThanOrEqualTo(least);
           assertThat(check.verdict())
               .as("%s, seed %d: %d of %d", family, seed, claimed, least)
@@ -55,14 +61,50 @@ class BoundCheckTest {
   @MethodSource("polygons")
   void claimsAboutPolygonsAreDecided(RandomPolygons.Family family) {
     for (int seed = 0; seed < 4; seed++) {
-      SimplePolygon polygon = SimplePolygon.of(family.make(30, seed), Progress.NONE);
+      SimplePolygon polygon = SimplePolygon.of(family.make(30, seed), NONE);
       ParityGoal goal = ParityGoal.allEven(polygon.size());
-      Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+      Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE);
       for (int claimed : new int[] {best.unsatisfied(), best.unsatisfied() + 2}) {
-        assertThat(BoundCheck.of(polygon, goal, claimed, Progress.NONE).verdict())
+        assertThat(BoundCheck.of(polygon, goal, claimed, NONE).verdict())
             .as("%s, seed %d: %d of %d", family, seed, claimed, best.unsatisfied())
             .isEqualTo(expected(claimed, best.unsatisfied()));
       }
     }
+  }
+
+  /** A result of Scan-Flip whose author calls it optimal. */
+  @Test
+  void aSearchThatDoesBetterRefutesAnInventedBound() {
+    Sites sites = Sites.of(RandomSites.uniform(50, 3), NONE);
+    ParityGoal goal = ParityGoal.allEven(50);
+    int invented = goal.unsatisfied(ScanFlip.run(Delaunay.triangulate(sites, NONE), NONE).after());
+    BoundCheck check = BoundCheck.of(sites, goal, invented, NONE);
+    assertThat(check.verdict()).isEqualTo(Verdict.FALSE);
+    assertThat(check.recomputed().value()).isLessThan(invented);
+  }
+
+  @Test
+  void aLargePolygonIsDecidedToo() {
+    SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(1600, new Random(5)), NONE);
+    ParityGoal goal = ParityGoal.allEven(1600);
+    int least = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE).unsatisfied();
+    assertThat(BoundCheck.of(polygon, goal, least, NONE).verdict()).isEqualTo(Verdict.RECOMPUTED);
+    assertThat(BoundCheck.of(polygon, goal, least + 2, NONE).verdict()).isEqualTo(Verdict.FALSE);
+  }
+
+  /** Two rows of 20 sites on two lines that cross: four are odd at best, two are proven. */
+  @Test
+  void whatIsNeitherProvenNorRefutedIsOpen() {
+    double[] pairs = new double[82];
+    for (int i = -10; i < 10; i++) {
+      int k = 4 * (i + 10);
+      pairs[k] = i < 0 ? i : i + 1;
+      pairs[k + 3] = i < 0 ? i : i + 1;
+    }
+    Sites cross = Sites.of(Points.ofPairs(pairs), NONE);
+    ParityGoal goal = ParityGoal.allEven(41);
+    BoundCheck check = BoundCheck.of(cross, goal, 4, NONE);
+    assertThat(check.verdict()).isEqualTo(Verdict.OPEN);
+    assertThat(check.recomputed().value()).isLessThan(4);
   }
 }

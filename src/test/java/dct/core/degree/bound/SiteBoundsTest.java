@@ -26,7 +26,8 @@ class SiteBoundsTest {
   }
 
   private static LowerBound allEven(Triangulation triangulation) {
-    return SiteBounds.of(triangulation, ParityGoal.allEven(triangulation.vertexCount()));
+    return SiteBounds.of(
+        triangulation, ParityGoal.allEven(triangulation.vertexCount()), Progress.NONE);
   }
 
   /** The lattice points (i·ux + j·vx, i·uy + j·vy), 0 ≤ i &lt; a, 0 ≤ j &lt; b. */
@@ -115,8 +116,8 @@ class SiteBoundsTest {
     HullRing ring = HullRing.of(delaunay(pairs));
     assertThat(ring.size()).isEqualTo(n);
     ParityGoal goal = ParityGoal.allEven(n);
-    assertThat(HullWalkBound.ofWalk(ring, goal, 0)).isEmpty();
-    assertThat(HullWalkBound.ofStrips(ring, goal)).isPresent();
+    assertThat(HullWalkBound.ofWalk(ring, goal, 0, Progress.NONE)).isEmpty();
+    assertThat(HullWalkBound.ofStrips(ring, goal, Progress.NONE)).isPresent();
   }
 
   @Test
@@ -125,7 +126,8 @@ class SiteBoundsTest {
     double[] pairs = random.doubles(2 * 60_000).toArray();
     Triangulation start = delaunay(pairs);
     ParityGoal goal = ParityGoal.allEven(60_000);
-    assertThat(SiteBounds.of(start, goal).reason()).endsWith("; too many sites for a hull walk");
+    assertThat(SiteBounds.of(start, goal, Progress.NONE).reason())
+        .endsWith("; too many sites for a hull walk");
     assertThat(SiteBounds.quick(start, goal).reason()).matches("\\d+ hull sites, .*\\d");
   }
 
@@ -135,7 +137,7 @@ class SiteBoundsTest {
     Wish[] wishes = new Wish[6];
     Arrays.fill(wishes, Wish.EVEN);
     wishes[3] = Wish.ODD;
-    assertThat(SiteBounds.of(hexagon, ParityGoal.of(wishes)).value()).isEqualTo(1);
+    assertThat(SiteBounds.of(hexagon, ParityGoal.of(wishes), Progress.NONE).value()).isEqualTo(1);
   }
 
   @Test

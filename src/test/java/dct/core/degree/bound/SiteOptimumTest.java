@@ -92,7 +92,7 @@ class SiteOptimumTest {
     for (Row row : ROWS) {
       HullRing ring = HullRing.of(row.start());
       single(ring, row.goal()).forEach((name, value) -> count(decided, name, row, value));
-      int best = SiteBounds.of(row.start(), row.goal()).value();
+      int best = SiteBounds.of(row.start(), row.goal(), Progress.NONE).value();
       count(decided, "best of all", row, best);
       if (best < row.least) {
         open.add(row.name + " " + best + "–" + row.least);
@@ -111,8 +111,12 @@ class SiteOptimumTest {
     values.put("long side", LongSideBound.of(ring, goal).value());
     values.put("lattice", LatticeBound.of(ring, goal).value());
     values.put("three hull sites", ThreeHullSites.of(ring, goal, 0).value());
-    values.put("strips", HullWalkBound.ofStrips(ring, goal).map(LowerBound::value).orElse(0));
-    values.put("hull walk", HullWalkBound.ofWalk(ring, goal, -1).map(LowerBound::value).orElse(0));
+    values.put(
+        "strips",
+        HullWalkBound.ofStrips(ring, goal, Progress.NONE).map(LowerBound::value).orElse(0));
+    values.put(
+        "hull walk",
+        HullWalkBound.ofWalk(ring, goal, -1, Progress.NONE).map(LowerBound::value).orElse(0));
     Handshake handshake = new Handshake(goal);
     values.replaceAll((name, value) -> handshake.roundUp(Math.max(0, value)));
     return values;

@@ -47,7 +47,7 @@ class SmallSetsTest {
     for (ParityGoal goal : goals(start, random)) {
       int least = all.least(goal);
       String what = name + ", " + sites.points().size() + " sites";
-      LowerBound bound = SiteBounds.of(start, goal);
+      LowerBound bound = SiteBounds.of(start, goal, Progress.NONE);
       assertThat(bound.value()).as("%s: %s", what, bound).isLessThanOrEqualTo(least);
       assertThat(SiteBounds.quick(start, goal).value()).as(what).isBetween(0, bound.value());
       if (start.triangleCount() > 0) {
@@ -61,8 +61,8 @@ class SmallSetsTest {
   }
 
   private static void checkStrips(HullRing ring, ParityGoal goal, int least, String what) {
-    int strips = HullWalkBound.ofStrips(ring, goal).orElseThrow().value();
-    int walk = HullWalkBound.ofWalk(ring, goal, -1).orElseThrow().value();
+    int strips = HullWalkBound.ofStrips(ring, goal, Progress.NONE).orElseThrow().value();
+    int walk = HullWalkBound.ofWalk(ring, goal, -1, Progress.NONE).orElseThrow().value();
     assertThat(walk).as("walk, %s", what).isBetween(strips, least);
   }
 

@@ -1,9 +1,10 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 import static java.util.Comparator.comparingInt;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
-import dct.core.degree.region.SearchClock;
+import dct.core.degree.Optimum;
 import dct.core.degree.region.SearchMesh;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -22,7 +23,7 @@ import java.util.stream.Stream;
  * side by side; of those that have a vertex in common only one is taken, the one that gained most.
  * Neither threads nor time make a difference to the result.
  */
-final class StripSearch {
+public final class StripSearch {
   private static final int AT_ONCE = 4;
   private static final int WIDTH = 100; // of the beam
   private static final int TRIES = 5; // to cut a strip
@@ -30,17 +31,21 @@ final class StripSearch {
   private static final int SHORTEST = 4; // edges of an axis
   private static final int LONGEST = 300;
   private static final int LAYERS = 100; // at most on each side of the axis
-  private static final int PATIENCE = 1_500_000; // vertices of strips that have not helped
+  // Vertices of strips that have not helped: so many for each vertex of the mesh.
+  private static final int PATIENCE = 3000;
+  private static final int LEAST_PATIENCE = 300_000;
+  private static final int MOST_PATIENCE = 1_500_000;
 
   private final SearchMesh mesh;
-  private final SearchClock clock;
+  private final Progress progress;
   private final long seed;
   private final List<Attempt> attempts;
   private int[] open; // the unsatisfied vertices
 
-  StripSearch(SearchMesh mesh, SearchClock clock, long seed) {
+  /** A search over all of a mesh. */
+  public StripSearch(SearchMesh mesh, Progress progress, long seed) {
     this.mesh = mesh;
-    this.clock = clock;
+    this.progress = progress;
     this.seed = seed;
     attempts = Stream.generate(Attempt::new).limit(AT_ONCE).toList();
     collect();
@@ -59,15 +64,22 @@ final class StripSearch {
    * Searches until no more than {@code enough} are unsatisfied, or as much work on end has not
    * helped as the effort allows.
    */
-  void run(int enough, double effort) {
-    double patience = PATIENCE * effort;
+  public void run(int enough, double effort) {
+    double patience = effort * patience();
     int idle = 0; // vertices solved since it last helped
-    for (int round = 0; open.length > enough && idle < patience && !clock.isOver(); round++) {
+    for (int round = 0;
+        open.length > enough && idle < patience && !progress.isCancelled();
+        round++) {
       int before = open.length;
       round(round);
       idle = open.length < before ? 0 : idle + attempts.stream().mapToInt(Attempt::size).sum();
-      clock.report(0.85 + 0.15 * Math.min(1, idle / patience), open.length);
+      progress.report(0.85 + 0.15 * Math.min(1, idle / patience), Optimum.soFar(open.length));
     }
+  }
+
+  private int patience() {
+    int patience = (int) Math.max(LEAST_PATIENCE, (long) mesh.size() * PATIENCE);
+    return Math.min(MOST_PATIENCE, patience);
   }
 
   private void round(int round) {
@@ -97,7 +109,7 @@ final class StripSearch {
     void solve(int[] unsatisfied, SeededRandom random) {
       cut(unsatisfied, random);
       SweepBeam beam = new SweepBeam(strip, WIDTH, random);
-      moves = beam.search(strip.unsatisfied(), clock);
+      moves = beam.search(strip.unsatisfied(), progress);
       gain = strip.unsatisfied() - beam.unsatisfied();
     }
 

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 import dct.core.SeededRandom;
 import dct.core.degree.region.SearchMesh;

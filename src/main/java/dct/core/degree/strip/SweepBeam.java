@@ -1,7 +1,7 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
-import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,13 +55,13 @@ final class SweepBeam {
 
   /**
    * The moves of a triangulation of the strip with no more than {@code atMost} unsatisfied
-   * vertices, or none if there is none in the beam or the clock has struck.
+   * vertices, or none if there is none in the beam or the progress has struck.
    */
-  int[] search(int atMost, SearchClock clock) {
+  int[] search(int atMost, Progress progress) {
     most = atMost;
     fronts.begin();
     while (fronts.size > 0 && fronts.hasNext(0)) {
-      if (clock.isOver()) {
+      if (progress.isCancelled()) {
         return new int[0];
       }
       step();

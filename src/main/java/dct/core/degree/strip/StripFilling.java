@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 import dct.core.degree.region.SearchMesh;
 import dct.core.degree.region.VertexList;

@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 /**
  * States of a sweep over a {@link Strip}, each a path between the part that is triangulated, below,

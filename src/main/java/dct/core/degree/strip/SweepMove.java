@@ -1,4 +1,4 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 /**
  * The moves of a sweep over a {@link Strip}, from its lower path to its upper one. At the next edge

@@ -1,14 +1,13 @@
-package dct.core.degree.search;
+package dct.core.degree.strip;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
-import dct.core.degree.SearchLimits;
 import dct.core.degree.exact.ExactSites;
-import dct.core.degree.region.SearchClock;
 import dct.core.degree.region.SearchMesh;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
@@ -27,7 +26,7 @@ class SweepBeamTest {
   private static final int WIDE = 100_000; // no state of a dozen sites is ever left out
   private static final int ALL = 1000; // edges or layers: to the hull
 
-  private final SearchClock clock = new SearchClock(SearchLimits.DEFAULT, Progress.NONE);
+  private final Progress clock = Progress.NONE;
 
   /** Sites on whole coordinates below a side: the smaller it is, the more lie on common lines. */
   private static Triangulation delaunay(int n, int side, Random random) {
@@ -117,7 +116,7 @@ class SweepBeamTest {
     Strip strip = new Strip(mesh);
     SeededRandom random = new SeededRandom(1);
     strip.cut(0, new Strip.Shape(0, ALL, ALL, ALL, ALL), random);
-    SearchClock struck = new SearchClock(new SearchLimits(1, 1, 0), Progress.NONE);
+    Progress struck = new Deadline(Progress.NONE, 0);
     assertThat(new SweepBeam(strip, 10, random).search(50, struck)).isEmpty();
   }
 }

@@ -1,0 +1,182 @@
+package dct.core.degree.best;
+
+import dct.core.Deadline;
+import dct.core.Progress;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ScanFlip;
+import dct.core.degree.SearchLimits;
+import dct.core.degree.bound.SiteBounds;
+import dct.core.degree.exact.ExactSites;
+import dct.core.triangulate.Triangulation;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
+
+/**
+ * A triangulation of sites with as few unmet vertices as can be found: near-exact, and proven
+ * optimal where it attains a lower bound.
+ *
+ * <p>Takes any triangulation of sites, the Delaunay triangulation being a good one to begin with,
+ * and a proven lower bound. The stages, each only if the bound is not attained yet:
+ *
+ * <ol>
+ *   <li>Scan-Flip, the thesis's method: what comes back is never worse, however early it ends.
+ *   <li>Up to 16 sites: {@link ExactSites}. Others: small regions, and walks that pair up what is
+ *       left ({@link SiteSearch}).
+ *   <li>An exact method, if one applies: the table of the polygon that the sites are the corners of
+ *       ({@link HullPolygon}), or {@link ExactSites}.
+ *   <li>The bounds that take longer ({@link SiteBounds}), and against them the beam search over
+ *       strips.
+ * </ol>
+ *
+ * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
+ * the user ends the search. Then the best so far is returned, with the bounds that a tenth of a
+ * second more suffices for.
+ */
+public final class SiteOptimizer {
+  private static final int PATIENCE = 300; // rounds of a search that have not helped
+  private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
+  private static final double GRACE = 0.1; // seconds after the limit, for what is quickly done
+
+  private final Triangulation start;
+  private final ParityGoal goal;
+  private final SearchLimits limits;
+  private final Progress user;
+  private final Deadline clock;
+  private Triangulation best;
+  private int unmet;
+  private LowerBound bound;
+
+  private SiteOptimizer(
+      Triangulation start,
+      ParityGoal goal,
+      LowerBound bound,
+      SearchLimits limits,
+      Progress progress) {
+    this.start = start;
+    this.goal = goal;
+    this.limits = limits;
+    this.bound = bound;
+    user = progress;
+    clock = new Deadline(progress, limits.seconds());
+    best = start;
+    unmet = goal.unsatisfied(start);
+  }
+
+  /**
+   * The best triangulation found: one that attains the bound, or the best so far when the search
+   * has done all it does for this effort, the time is up or the user has cancelled.
+   *
+   * @param start a triangulation of sites; it is returned if it attains the bound, or if the sites
+   *     lie on one line
+   * @param bound proven by the caller
+   * @param progress is told the best count so far; cancelling ends the search with the best so far
+   */
+  public static Optimum optimize(
+      Triangulation start,
+      ParityGoal goal,
+      LowerBound bound,
+      SearchLimits limits,
+      Progress progress) {
+    return new SiteOptimizer(start, goal, bound, limits, progress).run();
+  }
+
+  private Optimum run() {
+    boolean interrupted = false;
+    if (unmet > bound.value() && start.triangleCount() > 0) {
+      try {
+        improve();
+      } catch (CancellationException e) {
+        interrupted = true;
+        bound = bound.max(SiteBounds.of(start, goal, new Deadline(user, GRACE)));
+      }
+    }
+    interrupted |= clock.hasStruck();
+    return new Optimum(best, goal, unmet, bound, interrupted && unmet > bound.value());
+  }
+
+  private void improve() {
+    Deadline early = new Deadline(user, Math.max(GRACE, limits.seconds()));
+    take(ScanFlip.run(start, early).after());
+    clock.checkCancelled();
+    if (start.vertexCount() > ExactSites.ALWAYS || !solveExactly()) {
+      search();
+    }
+  }
+
+  private void search() {
+    SiteSearch search = searchFrom(start);
+    search.alignRectangles();
+    boolean solved = false;
+    try {
+      search = paired(search);
+      clock.checkCancelled();
+      solved = isOpen(search) && solveExactly();
+      if (isOpen(search) && !solved) {
+        bound = bound.max(SiteBounds.of(start, goal, clock));
+        search.solveStrips(bound.value(), limits.effort());
+      }
+    } finally {
+      if (!solved && search.unmet() <= unmet) {
+        take(search.triangulation());
+      }
+    }
+  }
+
+  private SiteSearch searchFrom(Triangulation triangulation) {
+    return new SiteSearch(triangulation, goal, limits.seed(), clock);
+  }
+
+  private boolean isOpen(SiteSearch search) {
+    return search.unmet() > bound.value();
+  }
+
+  /** The best of several searches, this one and those from the triangulations of a lattice. */
+  private SiteSearch paired(SiteSearch search) {
+    List<Supplier<Triangulation>> lattice =
+        isOpen(search) ? LatticeStarts.of(start, clock) : List.of();
+    for (Supplier<Triangulation> other : lattice) {
+      Triangulation made = other.get();
+      if (goal.unsatisfied(made) <= bound.value()) {
+        return searchFrom(made);
+      }
+    }
+    SiteSearch best = search;
+    for (int k = 0; k < lattice.size() && isOpen(best) && !clock.isCancelled(); k++) {
+      SiteSearch next = searchFrom(lattice.get(k).get());
+      next.pairUp(bound.value(), LITTLE_PATIENCE);
+      best = next.unmet() < best.unmet() ? next : best;
+    }
+    if (isOpen(best)) {
+      search.pairUp(bound.value(), PATIENCE);
+    }
+    return best.unmet() < search.unmet() ? best : search;
+  }
+
+  private void take(Triangulation found) {
+    int count = goal.unsatisfied(found);
+    if (count <= unmet) {
+      best = found;
+      unmet = count;
+    }
+  }
+
+  private boolean solveExactly() {
+    Optional<Optimum> exact =
+        HullPolygon.applies(start) && start.vertexCount() > ExactSites.ALWAYS
+            ? HullPolygon.of(start).optimum(goal, clock)
+            : Optional.of(start)
+                .filter(ExactSites::canSolve)
+                .map(sites -> ExactSites.optimize(sites, goal, clock));
+    exact.ifPresent(
+        optimum -> {
+          best = optimum.triangulation();
+          unmet = optimum.unsatisfied();
+          bound = bound.max(optimum.bound());
+        });
+    return exact.isPresent();
+  }
+}
