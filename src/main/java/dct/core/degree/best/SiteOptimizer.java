@@ -29,7 +29,7 @@ import java.util.function.Supplier;
  *   <li>An exact method, if one applies: the table of the polygon that the sites are the corners of
  *       ({@link HullPolygon}), or {@link ExactSites}.
  *   <li>The bounds that take longer ({@link SiteBounds}), and against them the beam search over
- *       strips.
+ *       strips; after a few strips the slowest bound, by windows.
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
@@ -39,6 +39,7 @@ import java.util.function.Supplier;
 public final class SiteOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
+  private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
   private static final double GRACE = 0.1; // seconds after the limit, for what is quickly done
 
   private final Triangulation start;
@@ -117,12 +118,20 @@ public final class SiteOptimizer {
       solved = isOpen(search) && solveExactly();
       if (isOpen(search) && !solved) {
         bound = bound.max(SiteBounds.of(start, goal, clock));
-        search.solveStrips(bound.value(), limits.effort());
+        solveStrips(search);
       }
     } finally {
       if (!solved && search.unmet() <= unmet) {
         take(search.triangulation());
       }
+    }
+  }
+
+  private void solveStrips(SiteSearch search) {
+    search.solveStrips(bound.value(), LITTLE_EFFORT * limits.effort());
+    if (isOpen(search)) {
+      bound = bound.max(SiteBounds.ofWindows(start, goal, search.unmet(), clock));
+      search.solveStrips(bound.value(), limits.effort());
     }
   }
 

@@ -42,6 +42,7 @@ final class SiteSearch {
   private final Progress progress;
   private final SearchMesh mesh;
   private int passes;
+  private StripSearch strips; // null until it is begun
 
   /** A search from a triangulation of sites with at least one triangle. */
   SiteSearch(Triangulation start, ParityGoal goal, long seed, Progress progress) {
@@ -83,9 +84,13 @@ final class SiteSearch {
     whole.pairUp(enough, patience);
   }
 
-  /** Solves strips until no more than {@code enough} are unmet or the effort is spent. */
+  /**
+   * Solves strips until no more than {@code enough} are unmet or the effort is spent; asked again,
+   * goes on. The last stage.
+   */
   void solveStrips(int enough, double effort) {
-    new StripSearch(mesh, progress, seed).run(enough, effort);
+    strips = strips == null ? new StripSearch(mesh, progress, seed) : strips;
+    strips.run(enough, effort);
   }
 
   private void searchInParts() {

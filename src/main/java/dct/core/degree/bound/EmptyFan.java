@@ -3,6 +3,7 @@ package dct.core.degree.bound;
 import dct.core.geometry.Points;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * The empty triangles at one hull site p: those with no other site in them or on them.
@@ -32,6 +33,27 @@ final class EmptyFan {
     sites = seenFrom(ring.site(k + 1), ring.site(k - 1));
     start = new int[sites.length + 1];
     partners = new int[4 * sites.length];
+  }
+
+  private EmptyFan(Points points, int hub, int[] others) {
+    this.points = points;
+    this.hub = hub;
+    flat = false;
+    sites = nearest(Arrays.stream(others));
+    start = new int[sites.length + 1];
+    partners = new int[4 * sites.length];
+  }
+
+  /**
+   * The empty triangles at a site among some others that all lie in one open half-plane before it,
+   * or on one half of its boundary.
+   *
+   * @param most give up at more triangles than this
+   * @return empty if given up
+   */
+  static Optional<EmptyFan> of(Points points, int hub, int[] others, int most) {
+    EmptyFan fan = new EmptyFan(points, hub, others);
+    return fan.findPartners(most) ? Optional.of(fan) : Optional.empty();
   }
 
   /**
@@ -73,35 +95,28 @@ final class EmptyFan {
   // ---- the sites seen
 
   private int[] seenFrom(int next, int previous) {
-    int[] inside = sitesInside(next, previous);
+    int[] inside =
+        nearest(
+            IntStream.range(0, points.size())
+                .filter(v -> v != hub && points.orient(hub, next, v) > 0)
+                .filter(v -> points.orient(hub, v, previous) > 0));
     int[] seen = new int[inside.length + 2];
     seen[0] = next;
-    int m = 1;
-    for (int v : inside) {
-      // The nearest of those in one direction comes first and hides the others.
-      if (m == 1 || points.orient(hub, seen[m - 1], v) != 0) {
-        seen[m++] = v;
-      }
-    }
-    seen[m++] = previous;
-    return Arrays.copyOf(seen, m);
+    System.arraycopy(inside, 0, seen, 1, inside.length);
+    seen[seen.length - 1] = previous;
+    return seen;
   }
 
-  /** The sites strictly inside the angle of the hull, by direction and then by distance. */
-  private int[] sitesInside(int next, int previous) {
-    Integer[] inside = new Integer[points.size()];
-    int count = 0;
-    for (int v = 0; v < inside.length; v++) {
-      if (v != hub && points.orient(hub, next, v) > 0 && points.orient(hub, v, previous) > 0) {
-        inside[count++] = v;
+  /** Sites by direction; the nearest of those in one direction hides the others. */
+  private int[] nearest(IntStream others) {
+    int[] order = others.boxed().sorted(this::compare).mapToInt(v -> v).toArray();
+    int size = 0;
+    for (int v : order) {
+      if (size == 0 || points.orient(hub, order[size - 1], v) != 0) {
+        order[size++] = v;
       }
     }
-    Arrays.sort(inside, 0, count, this::compare);
-    int[] order = new int[count];
-    for (int i = 0; i < count; i++) {
-      order[i] = inside[i];
-    }
-    return order;
+    return Arrays.copyOf(order, size);
   }
 
   private int compare(int v, int w) {

@@ -51,6 +51,22 @@ public final class SiteBounds {
   }
 
   /**
+   * The bound from windows that cannot be all even ({@link WindowBound}): seconds for a hundred
+   * sites, and zero where it does not apply or is too much to compute.
+   *
+   * @param triangulation any triangulation of the sites, with at least one triangle
+   * @param enough a number of unmet wishes that is known to be possible
+   * @throws CancellationException if cancelled
+   */
+  public static LowerBound ofWindows(
+      Triangulation triangulation, ParityGoal goal, int enough, Progress progress) {
+    check(triangulation, goal);
+    return WindowBound.of(HullRing.of(triangulation), goal, enough, progress)
+        .map(new Handshake(goal)::roundUp)
+        .orElse(new LowerBound(0, "handshake lemma"));
+  }
+
+  /**
    * The largest of the bounds that take linear time, without the hull walk: enough to see that a
    * triangulation which attains it is the best.
    *

@@ -41,6 +41,7 @@ public final class StripSearch {
   private final long seed;
   private final List<Attempt> attempts;
   private int[] open; // the unsatisfied vertices
+  private int rounds;
 
   /** A search over all of a mesh. */
   public StripSearch(SearchMesh mesh, Progress progress, long seed) {
@@ -62,16 +63,14 @@ public final class StripSearch {
 
   /**
    * Searches until no more than {@code enough} are unsatisfied, or as much work on end has not
-   * helped as the effort allows.
+   * helped as the effort allows. Asked again, it goes on where it stopped.
    */
   public void run(int enough, double effort) {
     double patience = effort * patience();
     int idle = 0; // vertices solved since it last helped
-    for (int round = 0;
-        open.length > enough && idle < patience && !progress.isCancelled();
-        round++) {
+    while (open.length > enough && idle < patience && !progress.isCancelled()) {
       int before = open.length;
-      round(round);
+      round(rounds++);
       idle = open.length < before ? 0 : idle + attempts.stream().mapToInt(Attempt::size).sum();
       progress.report(0.85 + 0.15 * Math.min(1, idle / patience), Optimum.soFar(open.length));
     }
