@@ -19,7 +19,7 @@ import dct.core.geometry.SimplePolygon;
  * O(n²) time at worst, close to O(n log n) on most polygons. O(n) space, exact.
  */
 public final class EarClipping {
-  private static final int TESTS_BETWEEN_REPORTS = 1 << 12;
+  private static final int TESTS_BETWEEN_REPORTS = 1 << 8;
 
   private final SimplePolygon polygon;
   private final Points points;

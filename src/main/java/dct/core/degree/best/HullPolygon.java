@@ -2,6 +2,7 @@ package dct.core.degree.best;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.dcel.HalfEdges;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
@@ -63,12 +64,10 @@ final class HullPolygon {
   private Optimum ofSites(Optimum best, ParityGoal goal) {
     Dcel dcel = best.triangulation().dcel();
     int[] next = new int[2 * dcel.edgeCount()];
-    int[] prev = new int[next.length];
     int[] origin = new int[next.length];
     Arrays.setAll(next, dcel::next);
-    Arrays.setAll(prev, dcel::prev);
     Arrays.setAll(origin, e -> site[dcel.origin(e)]);
-    Dcel named = Dcel.of(site.length, next, prev, origin, dcel.faceEdge(Dcel.OUTER));
+    Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), dcel.faceEdge(Dcel.OUTER));
     Triangulation triangulation =
         new Triangulation(sites.domain(), sites.points(), named, edge -> EdgeKind.DIAGONAL);
     return new Optimum(triangulation, goal, best.unsatisfied(), best.bound(), false);

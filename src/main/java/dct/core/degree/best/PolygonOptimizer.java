@@ -36,13 +36,16 @@ import java.util.concurrent.CancellationException;
  * <p>The thesis's own algorithms come first, in time near linear, and what comes back is never
  * worse than the best of those that were done. Deterministic for the seed and effort, unless the
  * time limit or a cancel ends it early: then the best so far is returned at once, marked as
- * interrupted. A cancel before the first triangulation is there throws; the time limit waits for
- * it.
+ * interrupted. A cancel before the first triangulation is there throws; the time limit waits for it
+ * and for one Scan-Flip, a tenth of a second at most.
  */
 public final class PolygonOptimizer {
+  private static final double GRACE = 0.1; // seconds after the limit, for a first Scan-Flip
+
   private final SimplePolygon polygon;
   private final ParityGoal goal;
   private final SearchLimits limits;
+  private final Progress user;
   private final Deadline clock;
   private final LowerBound bound;
   private Triangulation best;
@@ -52,6 +55,7 @@ public final class PolygonOptimizer {
     this.polygon = polygon;
     this.goal = goal;
     this.limits = limits;
+    user = progress;
     clock = new Deadline(progress, limits.seconds());
     bound = PolygonBounds.of(polygon.size(), goal);
     best = MonotoneTriangulation.triangulate(polygon, progress);
@@ -147,7 +151,8 @@ public final class PolygonOptimizer {
 
   /** The best of what the thesis's own algorithms make of the polygon. */
   private void takeThesisBest() {
-    take(ScanFlip.run(best, clock).after());
+    Deadline early = new Deadline(user, Math.max(GRACE, limits.seconds()));
+    take(ScanFlip.run(best, early).after());
     Triangulation pieces = PartitioningAqt.triangulate(polygon, clock);
     take(pieces);
     take(ScanFlip.run(pieces, clock).after());

@@ -44,12 +44,16 @@ final class SiteSearch {
   private int passes;
   private StripSearch strips; // null until it is begun
 
-  /** A search from a triangulation of sites with at least one triangle. */
+  /**
+   * A search from a triangulation of sites with at least one triangle.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
   SiteSearch(Triangulation start, ParityGoal goal, long seed, Progress progress) {
     this.start = start;
     this.seed = seed;
     this.progress = progress;
-    mesh = new SearchMesh(start, goal, WEIGHT);
+    mesh = new SearchMesh(start, goal, WEIGHT, progress);
   }
 
   /** Turns the diagonals of rectangles the same way, whatever that does to the wishes. */

@@ -36,7 +36,7 @@ public final class BoundaryColouring {
    *
    * @param wish the wish of the k-th vertex along the boundary
    */
-  static int leastUnsatisfied(int h, IntFunction<Wish> wish) {
+  static int leastUnmet(int h, IntFunction<Wish> wish) {
     int[] cost = new int[STATES];
     Arrays.fill(cost, UNREACHED);
     cost[0] = 0; // the edge before vertex 0 is black; it is counted when the walk returns to it
@@ -79,7 +79,7 @@ public final class BoundaryColouring {
     if (!areInnerEven(ring, goal)) {
       return new LowerBound(0, "handshake lemma");
     }
-    int onBoundary = leastUnsatisfied(h, k -> goal.wish(ring.site(k)));
+    int onBoundary = leastUnmet(h, k -> goal.wish(ring.site(k)));
     int value = ring.interior() == 0 ? onBoundary : Math.min(1, onBoundary);
     return new LowerBound(value, "boundary edges two-coloured, mod 3");
   }

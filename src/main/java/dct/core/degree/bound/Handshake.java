@@ -7,10 +7,10 @@ import dct.core.degree.ParityGoal.Wish;
 /**
  * What the handshake lemma says of the number of vertices that miss a wish.
  *
- * <p>Claim: if every wish is even or odd, the number u of unsatisfied vertices has the parity of
- * the number w of vertices wished odd. Proof: turn the wished parities of the u vertices round and
- * they become the true parities, of which an even number are odd; each turn changes the number of
- * odd ones by one, so w + u is even. Where a vertex is left free nothing follows: it can absorb the
+ * <p>Claim: if every wish is even or odd, the number u of unmet vertices has the parity of the
+ * number w of vertices wished odd. Proof: turn the wished parities of the u vertices round and they
+ * become the true parities, of which an even number are odd; each turn changes the number of odd
+ * ones by one, so w + u is even. Where a vertex is left free nothing follows: it can absorb the
  * difference.
  */
 final class Handshake {
@@ -23,10 +23,10 @@ final class Handshake {
     applies = goal.count(Wish.ANY) == 0;
   }
 
-  /** The least possible number of unsatisfied vertices that is not below this one. */
-  int roundUp(int unsatisfied) {
-    boolean fits = !applies || ((unsatisfied + wishedOdd) & 1) == 0;
-    return fits ? unsatisfied : unsatisfied + 1;
+  /** The least possible number of unmet vertices that is not below this one. */
+  int roundUp(int unmet) {
+    boolean fits = !applies || ((unmet + wishedOdd) & 1) == 0;
+    return fits ? unmet : unmet + 1;
   }
 
   /** A bound whose value is rounded up and not negative. */

@@ -31,7 +31,7 @@ public final class PolygonBounds {
     if (goal.isAll(Wish.EVEN)) {
       return BoundaryColouring.allEven(n, "vertices");
     }
-    int colouring = BoundaryColouring.leastUnsatisfied(n, goal::wish);
+    int colouring = BoundaryColouring.leastUnmet(n, goal::wish);
     Handshake handshake = new Handshake(goal);
     return handshake
         .bound()

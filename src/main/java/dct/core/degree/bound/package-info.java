@@ -1,2 +1,2 @@
-/** Lower bounds on the number of unsatisfied vertices, each with its proof. */
+/** Lower bounds on the number of unmet vertices, each with its proof. */
 package dct.core.degree.bound;

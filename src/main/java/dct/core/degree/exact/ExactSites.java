@@ -12,7 +12,7 @@ import dct.core.triangulate.Triangulation;
  * The triangulation of a few sites that satisfies the most wishes: proven, for every goal.
  *
  * <p>Takes any triangulation of the sites, which may be degenerate in every way. Returns one with
- * the least number of unsatisfied sites among all triangulations, with that number as its bound.
+ * the least number of unmet sites among all triangulations, with that number as its bound.
  *
  * <p>A triangulation is swept by paths that run through some of the sites in the order by x, or by
  * y: from the lower hull to the upper one, a triangle at a time. What lies below a path is finished
@@ -80,8 +80,8 @@ public final class ExactSites {
           goal.size() + " wishes, " + start.vertexCount() + " sites: too many or not as many");
     }
     Triangulation best = isPath(start) ? start : sweep(start, goal, progress);
-    int unsatisfied = goal.unsatisfied(best);
-    return new Optimum(best, goal, unsatisfied, bound(best, unsatisfied), false);
+    int unmet = goal.unsatisfied(best);
+    return new Optimum(best, goal, unmet, bound(best, unmet), false);
   }
 
   private static Triangulation sweep(Triangulation start, ParityGoal goal, Progress progress) {
@@ -90,11 +90,11 @@ public final class ExactSites {
     return TriangleMesh.of(start.points(), new SweepTrace(table).triangles());
   }
 
-  private static LowerBound bound(Triangulation best, int unsatisfied) {
+  private static LowerBound bound(Triangulation best, int unmet) {
     String reason =
         isPath(best)
             ? "all sites on one line"
             : "every triangulation of " + best.vertexCount() + " sites searched";
-    return new LowerBound(unsatisfied, reason);
+    return new LowerBound(unmet, reason);
   }
 }

@@ -1,5 +1,6 @@
 package dct.core.degree.region;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
@@ -34,8 +35,14 @@ public final class SearchMesh {
   private final int[] site; // by vertex: its number among the sites
   private final boolean plain; // determinants in floating point have no rounding error
 
-  /** The triangulation, which has at least one triangle, with what is wished of it. */
-  public SearchMesh(Triangulation start, ParityGoal goal, int unit) {
+  /**
+   * The triangulation, which has at least one triangle, with what is wished of it.
+   *
+   * @param unit the weight of a vertex of which something is wished
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public SearchMesh(Triangulation start, ParityGoal goal, int unit, Progress progress) {
+    progress.checkCancelled();
     site = HilbertOrder.of(start.points());
     int n = site.length;
     x = new double[n];
@@ -45,6 +52,7 @@ public final class SearchMesh {
     weight = new int[n];
     int[] place = new int[n];
     for (int v = 0; v < n; v++) {
+      Progress.check(progress, v);
       place[site[v]] = v;
       x[v] = start.points().x(site[v]);
       y[v] = start.points().y(site[v]);
@@ -56,13 +64,14 @@ public final class SearchMesh {
     plain = ExactGrid.holds(x, y);
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
-    readTriangles(start.dcel(), place);
+    readTriangles(start.dcel(), place, progress);
   }
 
-  private void readTriangles(Dcel dcel, int[] place) {
+  private void readTriangles(Dcel dcel, int[] place, Progress progress) {
     int[] slot = new int[2 * dcel.edgeBound()];
     int e = 0;
     for (int f = 1; f < dcel.faceBound(); f++, e += 4) {
+      Progress.check(progress, f);
       int h = dcel.faceEdge(f);
       for (int i = 0; i < 3; i++) {
         slot[h] = e + i;
@@ -72,6 +81,7 @@ public final class SearchMesh {
       }
     }
     for (int h = 0; h < slot.length; h++) {
+      Progress.check(progress, h);
       if (dcel.face(h) != Dcel.OUTER) {
         twin[slot[h]] = dcel.face(h ^ 1) == Dcel.OUTER ? NONE : slot[h ^ 1];
       }

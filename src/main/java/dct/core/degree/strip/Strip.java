@@ -36,7 +36,7 @@ final class Strip {
   private int[] vertex = {}; // by rank
   private byte[] wrong; // by rank: as in the mesh if the strip had no triangles
   private int[] onUpper; // by rank: its place on the upper path, or NONE
-  private int unsatisfied;
+  private int unmet;
 
   Strip(SearchMesh mesh) {
     this.mesh = mesh;
@@ -92,10 +92,10 @@ final class Strip {
   /** Finds how the vertices stand with the triangles taken out. */
   private void takeOut() {
     wrong = new byte[vertex.length];
-    unsatisfied = 0;
+    unmet = 0;
     for (int r = 0; r < vertex.length; r++) {
       wrong[r] = mesh.wrong[vertex[r]];
-      unsatisfied += mesh.isUnsatisfied(vertex[r]) ? 1 : 0;
+      unmet += mesh.isUnsatisfied(vertex[r]) ? 1 : 0;
     }
     triangles.stream().flatMap(t -> Arrays.stream(mesh.corner, t, t + 3)).forEach(this::turn);
   }
@@ -126,9 +126,9 @@ final class Strip {
     return rank[v] != SearchMesh.NONE;
   }
 
-  /** How many vertices of the strip were unsatisfied when it was cut. */
-  int unsatisfied() {
-    return unsatisfied;
+  /** How many vertices of the strip were unmet when it was cut. */
+  int unmet() {
+    return unmet;
   }
 
   /** 1 if the vertex has not the parity wished as long as the strip has no triangles, or else 0. */

@@ -16,18 +16,18 @@ import java.util.stream.Stream;
  * Solves strips of a {@link SearchMesh} anew by beam search, one after the other, for sites in
  * regular patterns and on long straight sides of the hull, where plain descent stops early.
  *
- * <p>The axis of a strip runs by an unsatisfied vertex, or near one, in one of four directions; its
+ * <p>The axis of a strip runs by an unmet vertex, or near one, in one of four directions; its
  * length and width are random, from a few triangles to the whole side of the hull. What the beam
- * finds is taken if it has no more unsatisfied vertices than the strip had; so those wander from
- * strip to strip until some meet and vanish, and their number never grows. A few strips are solved
- * side by side; of those that have a vertex in common only one is taken, the one that gained most.
- * Neither threads nor time make a difference to the result.
+ * finds is taken if it has no more unmet vertices than the strip had; so those wander from strip to
+ * strip until some meet and vanish, and their number never grows. A few strips are solved side by
+ * side; of those that have a vertex in common only one is taken, the one that gained most. Neither
+ * threads nor time make a difference to the result.
  */
 public final class StripSearch {
   private static final int AT_ONCE = 4;
   private static final int WIDTH = 100; // of the beam
   private static final int TRIES = 5; // to cut a strip
-  private static final int AWAY = 4; // fewer steps than this from an unsatisfied vertex
+  private static final int AWAY = 4; // fewer steps than this from an unmet vertex
   private static final int SHORTEST = 4; // edges of an axis
   private static final int LONGEST = 300;
   private static final int LAYERS = 100; // at most on each side of the axis
@@ -40,7 +40,7 @@ public final class StripSearch {
   private final Progress progress;
   private final long seed;
   private final List<Attempt> attempts;
-  private int[] open; // the unsatisfied vertices
+  private int[] open; // the unmet vertices
   private int rounds;
 
   /** A search over all of a mesh. */
@@ -56,14 +56,9 @@ public final class StripSearch {
     open = IntStream.range(0, mesh.size()).filter(mesh::isUnsatisfied).toArray();
   }
 
-  /** How many vertices are unsatisfied. */
-  int unsatisfied() {
-    return open.length;
-  }
-
   /**
-   * Searches until no more than {@code enough} are unsatisfied, or as much work on end has not
-   * helped as the effort allows. Asked again, it goes on where it stopped.
+   * Searches until no more than {@code enough} are unmet, or as much work on end has not helped as
+   * the effort allows. Asked again, it goes on where it stopped.
    */
   public void run(int enough, double effort) {
     double patience = effort * patience();
@@ -105,20 +100,20 @@ public final class StripSearch {
     private int[] moves = {};
     private int gain;
 
-    void solve(int[] unsatisfied, SeededRandom random) {
-      cut(unsatisfied, random);
+    void solve(int[] centres, SeededRandom random) {
+      cut(centres, random);
       SweepBeam beam = new SweepBeam(strip, WIDTH, random);
-      moves = beam.search(strip.unsatisfied(), progress);
-      gain = strip.unsatisfied() - beam.unsatisfied();
+      moves = beam.search(strip.unmet(), progress);
+      gain = strip.unmet() - beam.unmet();
     }
 
-    /** Cuts a strip, if possible with two or more unsatisfied vertices, which could meet. */
+    /** Cuts a strip, if possible with two or more unmet vertices, which could meet. */
     private void cut(int[] centres, SeededRandom random) {
       int tries = TRIES;
       do {
         strip.cut(near(centres[random.nextInt(centres.length)], random), shape(random), random);
         tries--;
-      } while (tries > 0 && strip.unsatisfied() < 2);
+      } while (tries > 0 && strip.unmet() < 2);
     }
 
     private int near(int v, SeededRandom random) {

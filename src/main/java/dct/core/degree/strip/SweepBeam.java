@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Triangulates a {@link Strip} anew with few unsatisfied vertices: a beam search over the moves of
- * a sweep ({@link SweepMove}).
+ * Triangulates a {@link Strip} anew with few unmet vertices: a beam search over the moves of a
+ * sweep ({@link SweepMove}).
  *
  * <p>A state is the path that the triangles so far end at, with the parities on it. States alike in
  * both are one, which keeps the better way to it; after each move only the {@code width} states are
@@ -32,7 +32,7 @@ final class SweepBeam {
   private final List<int[]> parents = new ArrayList<>(); // by move and state
   private final List<int[]> moves = new ArrayList<>(); // by move and state
   private int most;
-  private int unsatisfied;
+  private int unmet;
 
   SweepBeam(Strip strip, int width, SeededRandom random) {
     this.strip = strip;
@@ -54,8 +54,8 @@ final class SweepBeam {
   }
 
   /**
-   * The moves of a triangulation of the strip with no more than {@code atMost} unsatisfied
-   * vertices, or none if there is none in the beam or the progress has struck.
+   * The moves of a triangulation of the strip with no more than {@code atMost} unmet vertices, or
+   * none if there is none in the beam or the progress has struck.
    */
   int[] search(int atMost, Progress progress) {
     most = atMost;
@@ -70,9 +70,9 @@ final class SweepBeam {
     return best == SearchMesh.NONE ? new int[0] : trace(best);
   }
 
-  /** How many vertices of the strip are unsatisfied in the triangulation found. */
-  int unsatisfied() {
-    return unsatisfied;
+  /** How many vertices of the strip are unmet in the triangulation found. */
+  int unmet() {
+    return unmet;
   }
 
   private void step() {
@@ -137,28 +137,28 @@ final class SweepBeam {
   }
 
   private void add(int s, int move, long change) {
-    offspring.add(s, move, fronts.missed[s], fronts.met[s], fronts.key[s] ^ change);
+    offspring.add(s, move, fronts.unmet[s], fronts.met[s], fronts.key[s] ^ change);
   }
 
   /** Takes a move that finishes v. */
   private void finish(int s, int move, int v, long change) {
     int miss = (v & 1) * strip.cost(v >> 1);
-    int missed = fronts.missed[s] + miss;
-    if (missed <= most) {
-      offspring.add(s, move, missed, fronts.met[s] + 1 - miss, fronts.key[s] ^ change);
+    int count = fronts.unmet[s] + miss;
+    if (count <= most) {
+      offspring.add(s, move, count, fronts.met[s] + 1 - miss, fronts.key[s] ^ change);
     }
   }
 
   /** The best of the states that have come to the end, or NONE. */
   private int best() {
     int best = SearchMesh.NONE;
-    unsatisfied = most + 1;
+    unmet = most + 1;
     for (int s = 0; s < fronts.size; s++) {
       int last = fronts.here(s);
-      int missed = fronts.missed[s] + (last & 1) * strip.cost(last >> 1);
-      if (missed < unsatisfied) {
+      int count = fronts.unmet[s] + (last & 1) * strip.cost(last >> 1);
+      if (count < unmet) {
         best = s;
-        unsatisfied = missed;
+        unmet = count;
       }
     }
     return best;

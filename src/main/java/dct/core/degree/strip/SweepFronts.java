@@ -18,8 +18,8 @@ final class SweepFronts {
   private final int[] waitingSize; // by state
   private final int[] aheadSize; // by state
   private final int[] nextLower; // by state: the place of the first one never reached
-  final int[] missed; // by state: how many vertices are finished and unsatisfied
-  final int[] met; // by state: how many are finished and not unsatisfied
+  final int[] unmet; // by state: how many vertices are finished and unmet
+  final int[] met; // by state: how many are finished and not unmet
   final long[] key; // by state: the same for two states if they can be continued in the same ways
   int size; // states
 
@@ -30,7 +30,7 @@ final class SweepFronts {
     waitingSize = new int[width];
     aheadSize = new int[width];
     nextLower = new int[width];
-    missed = new int[width];
+    unmet = new int[width];
     met = new int[width];
     key = new long[width];
   }

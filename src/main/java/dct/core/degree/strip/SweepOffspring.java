@@ -12,7 +12,7 @@ final class SweepOffspring {
   private final LongIndex keys = new LongIndex();
   private int[] parent = new int[256];
   private int[] move = new int[256];
-  private int[] missed = new int[256];
+  private int[] unmet = new int[256];
   private int[] met = new int[256];
 
   SweepOffspring(SeededRandom random) {
@@ -23,18 +23,18 @@ final class SweepOffspring {
     keys.clear();
   }
 
-  /** Takes a state; of those with one key it keeps that which has missed fewest. */
+  /** Takes a state; of those with one key it keeps that with the fewest unmet. */
   void add(int from, int by, int misses, int meets, long key) {
     int known = keys.size();
     int i = keys.number(key);
     if (i == known) {
       reserve(i);
-    } else if (missed[i] <= misses) {
+    } else if (unmet[i] <= misses) {
       return;
     }
     parent[i] = from;
     move[i] = by;
-    missed[i] = misses;
+    unmet[i] = misses;
     met[i] = meets;
   }
 
@@ -42,7 +42,7 @@ final class SweepOffspring {
     if (index == parent.length) {
       parent = Arrays.copyOf(parent, 2 * index);
       move = Arrays.copyOf(move, 2 * index);
-      missed = Arrays.copyOf(missed, 2 * index);
+      unmet = Arrays.copyOf(unmet, 2 * index);
       met = Arrays.copyOf(met, 2 * index);
     }
   }
@@ -70,7 +70,7 @@ final class SweepOffspring {
   void materialize(int i, SweepFronts from, SweepFronts to) {
     int s = to.size;
     to.add(from, parent[i], move[i]);
-    to.missed[s] = missed[i];
+    to.unmet[s] = unmet[i];
     to.met[s] = met[i];
     to.key[s] = keys.key(i);
   }

@@ -51,7 +51,7 @@ class SweepBeamTest {
   /** The whole set as one strip, solved anew by a beam of this width. */
   private Triangulation solved(
       Triangulation start, ParityGoal goal, int turn, int width, int seed) {
-    SearchMesh mesh = new SearchMesh(start, goal, 1);
+    SearchMesh mesh = new SearchMesh(start, goal, 1, clock);
     Strip strip = new Strip(mesh);
     SeededRandom random = new SeededRandom(seed);
     int v = random.nextInt(mesh.size());
@@ -61,7 +61,7 @@ class SweepBeamTest {
     int[] moves = beam.search(mesh.size(), clock);
     assertThat(moves).as("seed %d", seed).isNotEmpty();
     strip.fill(moves);
-    assertThat(mesh.unsatisfied()).as("seed %d", seed).isEqualTo(beam.unsatisfied());
+    assertThat(mesh.unsatisfied()).as("seed %d", seed).isEqualTo(beam.unmet());
     return mesh.toTriangulation(start);
   }
 
@@ -88,7 +88,7 @@ class SweepBeamTest {
     Random random = new Random(3);
     Triangulation start = delaunay(300, 25, random);
     ParityGoal goal = ParityGoal.allEven(start.vertexCount());
-    SearchMesh mesh = new SearchMesh(start, goal, 1);
+    SearchMesh mesh = new SearchMesh(start, goal, 1, clock);
     Strip strip = new Strip(mesh);
     for (int seed = 0; seed < 300; seed++) {
       int before = mesh.unsatisfied();
@@ -97,11 +97,11 @@ class SweepBeamTest {
       Strip.Shape shape = new Strip.Shape(seed % 4, sizes[0], sizes[1], sizes[2], sizes[3]);
       strip.cut(choices.nextInt(mesh.size()), shape, choices);
       SweepBeam beam = new SweepBeam(strip, 30, choices);
-      int[] moves = beam.search(strip.unsatisfied(), clock);
+      int[] moves = beam.search(strip.unmet(), clock);
       if (moves.length > 0) {
         strip.fill(moves);
       }
-      int gain = moves.length > 0 ? strip.unsatisfied() - beam.unsatisfied() : 0;
+      int gain = moves.length > 0 ? strip.unmet() - beam.unmet() : 0;
       assertThat(gain).as("seed %d", seed).isNotNegative();
       assertThat(mesh.unsatisfied()).as("seed %d", seed).isEqualTo(before - gain);
     }
@@ -112,7 +112,8 @@ class SweepBeamTest {
 
   @Test
   void a_search_that_the_clock_ends_finds_nothing() {
-    SearchMesh mesh = new SearchMesh(delaunay(50, 1000, new Random(1)), ParityGoal.allEven(50), 1);
+    SearchMesh mesh =
+        new SearchMesh(delaunay(50, 1000, new Random(1)), ParityGoal.allEven(50), 1, clock);
     Strip strip = new Strip(mesh);
     SeededRandom random = new SeededRandom(1);
     strip.cut(0, new Strip.Shape(0, ALL, ALL, ALL, ALL), random);
