@@ -44,7 +44,20 @@ public final class Main {
     return new Console(
         new FileInputStream(FileDescriptor.in),
         new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), OUTPUT_BUFFER),
-        errors());
+        errors(),
+        isTerminal());
+  }
+
+  /** From JDK 22 on there is a console also where there is no terminal, and it says so. */
+  @SuppressWarnings("SystemConsoleNull") // on older ones it is null without a terminal
+  private static boolean isTerminal() {
+    java.io.Console console = System.console();
+    try {
+      return console != null
+          && (boolean) java.io.Console.class.getMethod("isTerminal").invoke(console);
+    } catch (ReflectiveOperationException e) {
+      return true;
+    }
   }
 
   private static PrintStream errors() {

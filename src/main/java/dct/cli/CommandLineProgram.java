@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Model.CommandSpec;
@@ -171,6 +172,9 @@ public final class CommandLineProgram {
   private int explain(Exception e, CommandLine command) {
     if (e instanceof UsageException) {
       return wrongUsage(e.getMessage(), command);
+    }
+    if (e instanceof CancellationException) {
+      return Interruption.STATUS;
     }
     boolean silent = command.getCommand() instanceof Verb verb && verb.isSilent();
     return silent && e instanceof BadInputException ? BAD_INPUT : explain(e);

@@ -12,8 +12,14 @@ import java.nio.charset.StandardCharsets;
  * @param in standard input
  * @param out standard output
  * @param err standard error
+ * @param isTerminal whether a person watches, who may want to know how far a long work is
  */
-public record Console(InputStream in, OutputStream out, PrintStream err) {
+public record Console(InputStream in, OutputStream out, PrintStream err, boolean isTerminal) {
+
+  /** Streams that no person watches. */
+  public Console(InputStream in, OutputStream out, PrintStream err) {
+    this(in, out, err, false);
+  }
 
   /** Prints one line on standard output. */
   void print(String line) throws IOException {

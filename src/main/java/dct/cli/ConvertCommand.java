@@ -31,6 +31,14 @@ final class ConvertCommand extends Verb {
     document.checkOneRing();
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
+    try (Interruption interruption = new Interruption()) {
+      write(document, solution, outputs);
+      return interruption.status();
+    }
+  }
+
+  private void write(PointDocument document, Optional<Solution> solution, List<String> outputs)
+      throws IOException {
     for (String file : outputs) {
       if (solution.isEmpty() || holdsPointsAlone(file)) {
         PointOutput.write(document, file, console());
@@ -43,7 +51,6 @@ final class ConvertCommand extends Verb {
             .println(file + ": holds the points alone; the triangulation is left out, use .json");
       }
     }
-    return CommandLineProgram.DONE;
   }
 
   private static boolean holdsPointsAlone(String file) {

@@ -89,20 +89,22 @@ final class GenerateCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
-    PointDocument document = document();
-    checkNames(outputs, document.declared().orElseThrow());
-    for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
-      PointOutput.write(document, file, console());
+    try (Interruption interruption = new Interruption()) {
+      PointDocument document = document(progress(interruption, true));
+      checkNames(outputs, document.declared().orElseThrow());
+      for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
+        PointOutput.write(document, file, console());
+      }
+      return interruption.status();
     }
-    return CommandLineProgram.DONE;
   }
 
-  private PointDocument document() {
+  private PointDocument document(Progress progress) {
     String word = what.getValue();
     try {
       return switch (word) {
-        case "points" -> points();
-        case "polygon" -> polygon();
+        case "points" -> points(progress);
+        case "polygon" -> polygon(progress);
         default -> throw UsageException.unknown("the kind", word, List.of("points", "polygon"));
       };
     } catch (CannotGenerateException e) {
@@ -110,17 +112,17 @@ final class GenerateCommand extends Verb {
     }
   }
 
-  private PointDocument points() {
+  private PointDocument points(Progress progress) {
     String word = Objects.requireNonNullElse(shape.getValue(), SiteShape.UNIFORM.word());
     SiteShape wished = SiteShape.of(word).orElseThrow(() -> unknown(word, SiteShape.words()));
     int count = n.getValue();
     return PointDocument.of(
         STANDARD_STREAM,
         Domain.SITES,
-        wished.generate(count, area(wished.areaFor(count)), seed(), Progress.NONE));
+        wished.generate(count, area(wished.areaFor(count)), seed(), progress));
   }
 
-  private PointDocument polygon() {
+  private PointDocument polygon(Progress progress) {
     String word = Objects.requireNonNullElse(shape.getValue(), PolygonShape.TWO_OPT.word());
     PolygonShape wished =
         PolygonShape.of(word).orElseThrow(() -> unknown(word, PolygonShape.words()));
@@ -128,7 +130,7 @@ final class GenerateCommand extends Verb {
     return PointDocument.of(
         STANDARD_STREAM,
         Domain.POLYGON,
-        wished.generate(count, area(wished.areaFor(count)), seed(), Progress.NONE).points());
+        wished.generate(count, area(wished.areaFor(count)), seed(), progress).points());
   }
 
   private static UsageException unknown(String word, List<String> words) {

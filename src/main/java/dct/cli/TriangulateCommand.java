@@ -1,6 +1,7 @@
 package dct.cli;
 
 import dct.core.Progress;
+import dct.core.degree.Optimum;
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
@@ -9,6 +10,7 @@ import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Model.OptionSpec;
@@ -20,7 +22,7 @@ final class TriangulateCommand extends Verb {
       option(
           "--algorithm",
           "A",
-          String.class,
+          Arrays.stream(Method.values()).map(Method::word).toList(),
           "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points delaunay"
               + " (default and only).");
   private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
@@ -52,40 +54,50 @@ final class TriangulateCommand extends Verb {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
     optimize.check(isSet(flip));
-    Made made = make();
+    Stopwatch watch = new Stopwatch();
+    Instance instance = input.instance(Progress.NONE);
+    checkNames(outputs, instance.domain());
+    try (Interruption interruption = new Interruption()) {
+      Made made = make(instance, watch, progress(interruption, !isSet(quiet)));
+      write(made, outputs);
+      if (interruption.isAsked()
+          && made.solution.optimum().stream().anyMatch(Optimum::interrupted)) {
+        console().err().println("dct triangulate: stopped; the result is the best found so far");
+      }
+      return interruption.status();
+    }
+  }
+
+  private void write(Made made, List<String> outputs) throws IOException {
     for (String file : outputs) {
       SolutionOutput.write(made.solution, made.millis, file, console());
     }
     if (isSet(json)) {
       console().print(ResultJson.summary(made.solution, made.millis));
-    } else if (!isSet(quiet) && !printsResult) {
+    } else if (!isSet(quiet) && !outputs.contains(STANDARD_STREAM)) {
       console().print(Summary.of(made.solution));
     }
-    return CommandLineProgram.DONE;
   }
 
   /** A solution and how long its steps took. */
   private record Made(Solution solution, Optional<ResultJson.Millis> millis) {}
 
-  private Made make() throws IOException {
-    Stopwatch watch = new Stopwatch();
-    Instance instance = input.instance(Progress.NONE);
-    checkNames(outputsOf(output), instance.domain());
+  private Made make(Instance instance, Stopwatch watch, Progress progress) {
     double read = watch.lap();
     Method chosen = chosen(instance.domain());
     Instance asked = optimize.isAsked() ? optimize.wishedOf(instance) : instance;
-    Solution made = Solution.of(asked, chosen, Progress.NONE);
+    Solution made = Solution.of(asked, chosen, progress);
     double triangulate = watch.lap();
-    Solution solution = post(made);
+    Solution solution = post(made, progress);
     double post = isSet(flip) || optimize.isAsked() ? watch.lap() : 0;
     return new Made(solution, Optional.of(new ResultJson.Millis(read, triangulate, post)));
   }
 
-  private Solution post(Solution made) {
+  private Solution post(Solution made, Progress progress) {
     if (isSet(flip)) {
-      return made.flipped(Progress.NONE);
+      return made.flipped(progress);
     }
-    return optimize.isAsked() ? made.optimized(optimize.limits(), Progress.NONE) : made;
+    return optimize.isAsked() ? made.optimized(optimize.limits(), progress) : made;
   }
 
   private Method chosen(Domain domain) {
@@ -100,8 +112,8 @@ final class TriangulateCommand extends Verb {
                             + word
                             + " is none for "
                             + (domain == Domain.POLYGON ? "a polygon" : "points")
-                            + Spelling.hint(word, List.of(Method.words(domain).split(", ")))
+                            + Spelling.hint(word, Method.words(domain))
                             + ", use "
-                            + Method.words(domain)));
+                            + String.join(", ", Method.words(domain))));
   }
 }

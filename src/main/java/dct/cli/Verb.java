@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
@@ -64,6 +65,11 @@ abstract class Verb implements Callable<Integer> {
   /** Whether the exit status alone tells what came out, faults of the input included. */
   boolean isSilent() {
     return false;
+  }
+
+  /** Where a long work tells how far it is, if a person watches, and hears that it shall stop. */
+  final Progress progress(Interruption interruption, boolean isShown) {
+    return new TimeLeft(console.err(), isShown && console.isTerminal(), interruption);
   }
 
   /** Declares a required parameter without a name. */

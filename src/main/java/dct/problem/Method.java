@@ -158,8 +158,8 @@ public enum Method {
     return of(domain).stream().filter(method -> method.word.equals(word)).findFirst();
   }
 
-  /** The words of the methods for a domain, separated by commas, for messages. */
-  public static String words(Domain domain) {
-    return String.join(", ", of(domain).stream().map(Method::word).toList());
+  /** The words of the methods for a domain, for messages. */
+  public static List<String> words(Domain domain) {
+    return of(domain).stream().map(Method::word).toList();
   }
 }

@@ -50,7 +50,10 @@ final class StoredTriangulation {
         "the field \"edgeList\" is missing, these are points without a triangulation");
     method =
         Method.of(domain, claims.text("algorithm").orElse(""))
-            .orElseThrow(() -> new FalseClaim("the algorithm is none of " + Method.words(domain)));
+            .orElseThrow(
+                () ->
+                    new FalseClaim(
+                        "the algorithm is none of " + String.join(", ", Method.words(domain))));
   }
 
   /**
