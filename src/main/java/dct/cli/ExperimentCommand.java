@@ -51,16 +51,29 @@ final class ExperimentCommand extends Verb {
     int workers = workers();
     outputs.check(chosen);
     try (Interruption interruption = new Interruption()) {
-      Optional<StudyFile> file = outputs.open(chosen, isSet(times));
-      List<StudyRow> rows = rows(chosen, workers, file, interruption);
-      if (file.isPresent()) {
-        file.get().sort(chosen.trials());
-      }
+      List<StudyRow> rows = rows(chosen, workers, interruption);
       outputs.write(new StudyExport(chosen, rows, isSet(times)));
       if (!isSet(quiet) && !outputs.printRows()) {
         outputs.print(MarkdownText.of(chosen.tables(rows)));
       }
       return ended(chosen, rows);
+    }
+  }
+
+  /** The rows, kept in their file if there is one. */
+  private List<StudyRow> rows(Study chosen, int workers, Interruption interruption)
+      throws IOException {
+    Optional<StudyFile> file = outputs.open(chosen, isSet(times));
+    try {
+      List<StudyRow> rows = rows(chosen, workers, file, interruption);
+      if (file.isPresent()) {
+        file.get().sort(chosen.trials());
+      }
+      return rows;
+    } finally {
+      if (file.isPresent()) {
+        file.get().close();
+      }
     }
   }
 

@@ -7,25 +7,32 @@ import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
+import java.util.Optional;
 import java.util.UUID;
+import java.util.regex.Pattern;
 
 /**
  * Writes a file whole or not at all.
  *
  * <p>The content goes to a temporary file in the same folder, is forced to the disk and moved into
- * place. Whatever fails, the old file stays as it was and no temporary file stays behind. Where the
- * target is a symbolic link, the file that it leads to is replaced, not the link. A replaced file
- * keeps its permissions. Devices and pipes are written to directly.
+ * place, and its folder is forced, too. Whatever fails, the old file stays as it was and no
+ * temporary file stays behind; that of a writer that was killed is removed by the next one. Where
+ * the target is a symbolic link, the file that it leads to is replaced, not the link. A replaced
+ * file keeps its permissions. Devices and pipes are written to directly.
  */
 public final class AtomicFile {
   private static final int MOST_LINKS = 40;
+  private static final Pattern LEFT_OVER = Pattern.compile("\\.dct-[0-9a-f-]{36}\\.tmp");
 
   /** Puts content into a stream. */
   @FunctionalInterface
@@ -99,23 +106,57 @@ public final class AtomicFile {
   }
 
   private void writeAside(Content content) throws IOException {
+    removeLeftOvers();
     Path aside = target.resolveSibling(".dct-" + UUID.randomUUID() + ".tmp");
-    try {
-      fill(aside, content);
+    try (FileLease lease =
+        FileLease.take(aside)
+            .orElseThrow(() -> refusal("its folder is in use by another program"))) {
+      fill(lease.channel(), content);
       copyPermissions(aside);
       move(aside);
-    } finally {
-      Files.deleteIfExists(aside);
+    }
+    forceFolder();
+  }
+
+  private static void fill(FileChannel channel, Content content) throws IOException {
+    OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);
+    content.writeTo(out);
+    out.flush();
+    channel.force(true);
+  }
+
+  /** Removes the temporary files of writers that were killed; those at work hold their lease. */
+  private void removeLeftOvers() throws IOException {
+    try (DirectoryStream<Path> files =
+        Files.newDirectoryStream(target.resolveSibling(""), ".dct-*.tmp")) {
+      for (Path file : files) {
+        if (LEFT_OVER.matcher(file.getFileName().toString()).matches()) {
+          removeLeftOver(file);
+        }
+      }
+    } catch (NotDirectoryException | AccessDeniedException | DirectoryIteratorException e) {
+      // they stay
     }
   }
 
-  private static void fill(Path aside, Content content) throws IOException {
-    try (FileChannel channel =
-            FileChannel.open(aside, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-        OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16)) {
-      content.writeTo(out);
-      out.flush();
-      channel.force(true);
+  private static void removeLeftOver(Path file) {
+    try {
+      Optional<FileLease> dead = FileLease.take(file);
+      if (dead.isPresent()) {
+        dead.get().close();
+      }
+    } catch (IOException e) {
+      // it stays
+    }
+  }
+
+  /** Sees that the new name is on the disk; some systems cannot open a folder, or force it. */
+  private void forceFolder() {
+    try (FileChannel folder =
+        FileChannel.open(target.resolveSibling(""), StandardOpenOption.READ)) {
+      folder.force(true);
+    } catch (IOException e) {
+      // the content is safe, and either the old name or the new one will be there
     }
   }
 
@@ -134,7 +175,8 @@ public final class AtomicFile {
     }
   }
 
-  private static String reason(IOException e) {
+  /** Why something failed, in a few words. */
+  static String reason(IOException e) {
     if (e instanceof NoSuchFileException) {
       return "its folder does not exist";
     }

@@ -2,7 +2,9 @@ package dct.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.io.FileLease;
 import dct.testing.ProgramProcess;
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -173,6 +175,27 @@ class ExperimentCommandTest {
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .redirectError(err.toFile())
         .start();
+  }
+
+  @Test
+  void a_second_run_on_the_same_file_is_refused_and_changes_nothing() throws Exception {
+    Path csv = folder.resolve("a.csv");
+    String[] study = {
+      "experiment", "points", "--sizes", "50", "--sets", "2", "--quiet", "-o", csv.toString()
+    };
+    Path err = folder.resolve("err.txt");
+    try (Closeable first = FileLease.beside(csv)) {
+      assertThat(first).isNotNull();
+      assertThat(start(err, study).waitFor()).isEqualTo(1);
+      assertThat(err)
+          .hasContent(
+              csv
+                  + ": cannot be written, another run of the program is writing to it; nothing was"
+                  + " changed, choose another place");
+      assertThat(csv).doesNotExist();
+    }
+    assertThat(start(err, study).waitFor()).isZero();
+    assertThat(lines(csv)).isEqualTo(3);
   }
 
   @Test

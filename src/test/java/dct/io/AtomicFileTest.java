@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dct.testing.ProgramProcess;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -132,5 +135,58 @@ class AtomicFileTest {
         .hasMessage(
             "%s: cannot be written, %s; nothing was changed, choose another place"
                 .formatted(file, reason));
+  }
+
+  @Test
+  void removes_what_killed_writers_left_and_nothing_else() throws IOException {
+    for (int i = 0; i < 3; i++) {
+      Files.writeString(folder.resolve(".dct-" + UUID.randomUUID() + ".tmp"), "half");
+    }
+    Files.writeString(folder.resolve(".dct-note.tmp"), "not ours");
+    AtomicFile.write(folder.resolve("a.txt"), text("1 2\n"));
+    assertThat(names()).containsExactly(".dct-note.tmp", "a.txt");
+  }
+
+  @Test
+  void leaves_the_temporary_file_of_a_writer_at_work_in_this_process() throws IOException {
+    Path outer = folder.resolve("outer.txt");
+    AtomicFile.write(
+        outer,
+        out -> {
+          out.write('1');
+          AtomicFile.write(folder.resolve("inner.txt"), text("2"));
+          out.write('3');
+        });
+    assertThat(outer).hasContent("13");
+    assertThat(names()).containsExactly("inner.txt", "outer.txt");
+  }
+
+  @Test
+  void leaves_the_temporary_file_of_a_writer_at_work_in_another_process() throws Exception {
+    Path live = folder.resolve(".dct-" + UUID.randomUUID() + ".tmp");
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                ProgramProcess.classPath(),
+                AtomicFileTest.class.getName(),
+                live.toString())
+            .start();
+    assertThat(process.getInputStream().read()).as("it holds the lease").isEqualTo('.');
+    AtomicFile.write(folder.resolve("a.txt"), text("1"));
+    assertThat(names()).containsExactly(live.getFileName().toString(), "a.txt");
+    process.destroyForcibly();
+    process.waitFor();
+    AtomicFile.write(folder.resolve("a.txt"), text("2"));
+    assertThat(names()).containsExactly("a.txt");
+  }
+
+  /** A writer that never comes to its end. */
+  public static void main(String[] arguments) throws Exception {
+    try (FileLease lease = FileLease.take(Path.of(arguments[0])).orElseThrow()) {
+      System.out.print(lease.channel().isOpen() ? '.' : '-');
+      System.out.flush();
+      TimeUnit.MINUTES.sleep(10);
+    }
   }
 }

@@ -91,9 +91,25 @@ public final class StudyCsv {
     return new StudyRow(trial, numbers, millis);
   }
 
-  private static BadInputException damaged(String file, int number) {
+  static BadInputException damaged(String file, int number) {
     return new BadInputException(
         file, number, "this is no row of the study; delete the line, and it is computed again");
+  }
+
+  /** The records of a text, quoted line breaks in them, and last what follows behind them. */
+  static List<String> records(String text) {
+    List<String> records = new ArrayList<>();
+    boolean quoted = false;
+    int start = 0;
+    for (int i = 0; i < text.length(); i++) {
+      quoted ^= text.charAt(i) == '"';
+      if (text.charAt(i) == '\n' && !quoted) {
+        records.add(text.substring(start, i + 1));
+        start = i + 1;
+      }
+    }
+    records.add(text.substring(start));
+    return records;
   }
 
   private static List<String> cells(String line) {

@@ -3,6 +3,8 @@ package dct.experiment.study;
 import dct.io.AtomicFile;
 import dct.io.BadInputException;
 import dct.io.CannotWriteException;
+import dct.io.FileLease;
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -20,35 +22,60 @@ import java.util.Set;
  * A file of comma-separated values that keeps the rows of a study.
  *
  * <p>Rows that are there already are read and stay there. New rows are appended when they are
- * computed, so that a run that is broken off loses nothing; at the end the file is put into the
- * study's order, whole or not at all. Rows of other trials, of another seed for instance, are kept
- * behind it.
+ * computed, so that a run that is broken off loses nothing, and two runs cannot write at once; at
+ * the end the file is put into the study's order, whole or not at all. Rows of other trials, of
+ * another seed for instance, are kept behind it.
  */
-public final class StudyFile {
+public final class StudyFile implements Closeable {
   private final Path file;
   private final StudyCsv csv;
   private final Map<Trial, StudyRow> rows = new LinkedHashMap<>();
 
-  private StudyFile(Path file, StudyCsv csv) {
+  private final Closeable lease;
+
+  private StudyFile(Path file, StudyCsv csv, Closeable lease) {
     this.file = file;
     this.csv = csv;
+    this.lease = lease;
   }
 
   /**
-   * Opens a file, or begins one; a last line that was broken off is taken away.
+   * Opens a file, or begins one; a last line that was broken off is taken away. Until it is closed,
+   * nobody else can open it.
    *
    * @throws BadInputException if what is there are no rows of this study; nothing is changed then
-   * @throws CannotWriteException if it cannot be written
+   * @throws CannotWriteException if it cannot be written, or another run has opened it
    */
   public static StudyFile open(Path file, Study study, boolean times) throws IOException {
-    StudyFile opened = new StudyFile(file, new StudyCsv(study, times));
-    String text = opened.read();
-    String whole = text.substring(0, text.lastIndexOf('\n') + 1);
-    opened.take(whole);
-    if (whole.isEmpty() || !whole.equals(text)) {
-      opened.write(whole.isEmpty() ? opened.csv.head() : whole);
+    Closeable lease = FileLease.beside(file);
+    StudyFile opened = new StudyFile(file, new StudyCsv(study, times), lease);
+    boolean begun = false;
+    try {
+      opened.begin();
+      begun = true;
+      return opened;
+    } finally {
+      if (!begun) {
+        lease.close();
+      }
     }
-    return opened;
+  }
+
+  private void begin() throws IOException {
+    List<String> records = StudyCsv.records(read());
+    String rest = records.remove(records.size() - 1);
+    take(records, rest);
+    if (records.isEmpty()) {
+      write(csv.head());
+    } else if (!rest.isEmpty()) {
+      write(String.join("", records));
+    }
+  }
+
+  /** Lets others open the file. */
+  @Override
+  public void close() throws IOException {
+    lease.close();
   }
 
   private String read() throws IOException {
@@ -62,17 +89,27 @@ public final class StudyFile {
     }
   }
 
-  private void take(String text) {
-    List<String> lines = text.lines().toList();
-    if (!lines.isEmpty() && !csv.head().equals(lines.get(0) + "\n")) {
+  private void take(List<String> records, String rest) {
+    boolean isMine =
+        records.isEmpty()
+            ? csv.head().startsWith(rest)
+            : csv.head().equals(records.get(0).stripTrailing() + "\n");
+    if (!isMine) {
       throw new BadInputException(
           file.toString(),
           1,
           "these are not the columns of this study; name another file, or delete this one");
     }
-    for (int i = 1; i < lines.size(); i++) {
-      StudyRow row = csv.row(file.toString(), i + 1, lines.get(i));
-      rows.put(row.trial(), row);
+    int line = 1;
+    for (String record : records) {
+      if (line > 1) {
+        StudyRow row = csv.row(file.toString(), line, record.replaceFirst("\r?\n$", ""));
+        rows.put(row.trial(), row);
+      }
+      line += (int) record.chars().filter(c -> c == '\n').count();
+    }
+    if (rest.indexOf('\n') >= 0) { // a quotation mark has no second one, or its row is broken off
+      throw StudyCsv.damaged(file.toString(), line);
     }
   }
 

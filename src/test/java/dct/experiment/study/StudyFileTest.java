@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,6 +25,7 @@ class StudyFileTest {
 
   @TempDir Path folder;
   private Path file;
+  private StudyFile last;
 
   // Not in an initializer: its threads would wait for the class whose lambda they call.
   @BeforeAll
@@ -36,8 +38,22 @@ class StudyFileTest {
     file = folder.resolve("rows.csv");
   }
 
+  /** Opens the file in a second run: the one before is over. */
   private StudyFile open() throws IOException {
-    return StudyFile.open(file, STUDY, false);
+    return open(false);
+  }
+
+  private StudyFile open(boolean times) throws IOException {
+    close();
+    last = StudyFile.open(file, STUDY, times);
+    return last;
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    if (last != null) {
+      last.close();
+    }
   }
 
   @Test
@@ -90,9 +106,9 @@ class StudyFileTest {
 
   @Test
   void times_are_read_back() throws IOException {
-    StudyFile opened = StudyFile.open(file, STUDY, true);
+    StudyFile opened = open(true);
     opened.add(rows.get(0));
-    StudyRow back = StudyFile.open(file, STUDY, true).rows().get(0);
+    StudyRow back = open(true).rows().get(0);
     assertThat(back.counts()).isEqualTo(rows.get(0).counts());
     assertThat(back.millis()).containsOnlyKeys("delaunay", "scan_flip", "repeated", "best");
   }
@@ -105,8 +121,48 @@ class StudyFileTest {
   }
 
   @Test
+  void names_with_line_breaks_are_read_back() throws IOException {
+    Trial named = new Trial("a\n\"b\"\r\nc.txt", 10, 1, 0);
+    StudyFile opened = open();
+    opened.add(new StudyRow(named, rows.get(0).counts(), rows.get(0).millis()));
+    opened.add(rows.get(1));
+    opened.sort(List.of(rows.get(1).trial(), named));
+    assertThat(trials(open().rows())).containsExactly(rows.get(1).trial(), named);
+    String text = Files.readString(file);
+    Files.writeString(file, text.replace("c.txt\"", "c.txt"));
+    assertThatThrownBy(this::open)
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining(":3: ");
+  }
+
+  @Test
+  void two_runs_cannot_write_at_once() throws IOException {
+    StudyFile opened = open();
+    opened.add(rows.get(0));
+    String text = Files.readString(file);
+    assertThatThrownBy(() -> StudyFile.open(file, STUDY, false))
+        .isInstanceOf(CannotWriteException.class)
+        .hasMessageContaining("another run of the program is writing to it");
+    assertThat(file).hasContent(text);
+    Path link = Files.createSymbolicLink(folder.resolve("link.csv"), file);
+    assertThatThrownBy(() -> StudyFile.open(link, STUDY, false))
+        .as("under another name")
+        .isInstanceOf(CannotWriteException.class);
+    assertThat(open().rows()).as("after the first").hasSize(1);
+    close();
+    assertThat(folder).isDirectoryNotContaining("glob:**/.*");
+  }
+
+  @Test
+  void a_run_that_was_killed_does_not_keep_the_next_one_out() throws IOException {
+    Files.createFile(folder.resolve(".rows.csv.lock"));
+    assertThat(open().rows()).isEmpty();
+  }
+
+  @Test
   void what_is_no_study_is_refused_and_left_alone() throws IOException {
     requireRefused("x,y\n1,2\n", 1, "these are not the columns of this study");
+    requireRefused("no line end", 1, "these are not the columns of this study");
     String head = new StudyCsv(STUDY, false).head();
     requireRefused(head + "uniform,10,1,5\n", 2, "this is no row of the study");
     requireRefused(
