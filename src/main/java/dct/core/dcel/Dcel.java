@@ -1,5 +1,6 @@
 package dct.core.dcel;
 
+import dct.core.Progress;
 import java.util.Arrays;
 
 /**
@@ -94,15 +95,17 @@ public final class Dcel {
    * @param links the half-edges
    * @param outer a half-edge of the outer face; of no account if there are no edges, and the whole
    *     plane is the outer face
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static Dcel of(int vertices, HalfEdges links, int outer) {
+  public static Dcel of(int vertices, HalfEdges links, int outer, Progress progress) {
     int start = links.closeGaps(outer);
     Dcel dcel = new Dcel(vertices, links);
     for (int e = 0; e < 2 * links.bound(); e++) {
+      Progress.check(progress, e);
       dcel.outEdge[dcel.origin[e]] = e;
       dcel.degree[dcel.origin[e]]++;
     }
-    dcel.findFaces(links.bound() == 0 ? NONE : start);
+    dcel.findFaces(links.bound() == 0 ? NONE : start, progress);
     return dcel;
   }
 
@@ -110,7 +113,7 @@ public final class Dcel {
    * Numbers the faces by their smallest half-edges. Those of triangles are chosen without a branch,
    * since every third guess of the processor would be wrong; other faces are walked.
    */
-  private void findFaces(int outer) {
+  private void findFaces(int outer, Progress progress) {
     int components = 1;
     int bound = links.bound();
     faceEdge = new int[2 + components + bound - Math.min(bound, degree.length)];
@@ -120,6 +123,7 @@ public final class Dcel {
       relabel(outer, NONE);
     }
     for (int e = 0; e < 2 * bound; e++) {
+      Progress.check(progress, e);
       if (face[e] == NONE) {
         continue; // walked before
       }
@@ -138,6 +142,7 @@ public final class Dcel {
     }
     faces.take(count);
     for (int f = outer == NONE ? 1 : 0; f < count; f++) {
+      Progress.check(progress, f);
       relabel(faceEdge[f], f);
     }
   }

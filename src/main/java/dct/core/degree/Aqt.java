@@ -36,10 +36,11 @@ public final class Aqt {
    *
    * @param v0 the half-edge of the face that leaves v₀
    */
-  static void cut(Dcel dcel, int v0, int n) {
+  static void cut(Dcel dcel, int v0, int n, Progress progress) {
     int hub = v0; // leaves v₀ in the part that is still whole
     int vi = dcel.next(dcel.next(v0)); // leaves vᵢ in that part
     for (int i = 2; i <= n - 2; i += 3) {
+      Progress.check(progress, i / 3);
       hub = dcel.splitFace(hub, vi);
       if (i <= n - 3) {
         int viPlus2 = dcel.next(dcel.next(vi));

@@ -12,13 +12,11 @@ import dct.core.triangulate.Triangulation;
 
 /** What {@link PartitioningAqt} and {@link OddFan} share: convex pieces, each cut by one rule. */
 public final class ConvexPieces {
-  private static final int PIECES_BETWEEN_REPORTS = 1 << 12;
-
   private ConvexPieces() {}
 
   /** How to triangulate one strictly convex face with n vertices, from its lowest-numbered one. */
   interface Cutter {
-    void cut(Dcel dcel, int v0, int n);
+    void cut(Dcel dcel, int v0, int n, Progress progress);
   }
 
   /** The convex pieces of a simple polygon, merged from its monotone triangulation. */
@@ -53,11 +51,8 @@ public final class ConvexPieces {
     int partitionEdges = dcel.edgeCount();
     int pieces = dcel.faceBound();
     for (int f = 1; f < pieces; f++) {
-      if (f % PIECES_BETWEEN_REPORTS == 0) {
-        progress.checkCancelled();
-        progress.report((double) f / pieces, "Triangulating the convex pieces");
-      }
-      cutFace(dcel, f, cutter);
+      Progress.tick(progress, f - 1, pieces, "Triangulating the convex pieces");
+      cutFace(dcel, f, cutter, progress);
     }
     return new Triangulation(
         Domain.POLYGON,
@@ -66,7 +61,7 @@ public final class ConvexPieces {
         edge -> edge < partitionEdges ? EdgeKind.PARTITION : EdgeKind.DIAGONAL);
   }
 
-  private static void cutFace(Dcel dcel, int face, Cutter cutter) {
+  private static void cutFace(Dcel dcel, int face, Cutter cutter, Progress progress) {
     int start = dcel.faceEdge(face);
     int lowest = start;
     int n = 1;
@@ -76,6 +71,6 @@ public final class ConvexPieces {
         lowest = e;
       }
     }
-    cutter.cut(dcel, lowest, n);
+    cutter.cut(dcel, lowest, n, progress);
   }
 }

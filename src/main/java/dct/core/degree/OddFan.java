@@ -33,10 +33,11 @@ public final class OddFan {
     return ConvexPieces.triangulate(ConvexPieces.of(polygon, progress), OddFan::cut, progress);
   }
 
-  private static void cut(Dcel dcel, int v0, int n) {
+  private static void cut(Dcel dcel, int v0, int n, Progress progress) {
     int hub = v0;
     int vi = dcel.next(dcel.next(v0));
     for (int i = 2; i <= n - 2; i++) {
+      Progress.check(progress, i - 2);
       hub = dcel.splitFace(hub, vi);
       vi = dcel.next(vi);
     }

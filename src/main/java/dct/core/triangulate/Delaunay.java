@@ -35,13 +35,13 @@ public final class Delaunay {
   private static Dcel topology(Sites sites, Progress progress) {
     int n = sites.size();
     if (n < 2) {
-      return Dcel.of(n, new HalfEdges(0, 0), Dcel.NONE);
+      return Dcel.of(n, new HalfEdges(0, 0), Dcel.NONE, progress);
     }
     progress.report(0, "Sorting the sites");
-    KdOrder order = new KdOrder(sites.points());
+    KdOrder order = new KdOrder(sites.points(), progress);
     DelaunayMerge merge = new DelaunayMerge(order, progress);
     int outer = merge.run();
     progress.report(0.9, "Linking the edges");
-    return Dcel.of(n, merge.links(), outer);
+    return Dcel.of(n, merge.links(), outer, progress);
   }
 }

@@ -19,7 +19,7 @@ import dct.core.geometry.SimplePolygon;
  * O(n²) time at worst, close to O(n log n) on most polygons. O(n) space, exact.
  */
 public final class EarClipping {
-  private static final int TESTS_BETWEEN_REPORTS = 1 << 8;
+  private static final int LOOKS_BETWEEN_REPORTS = 1 << 14; // tests and what they look at
 
   private final SimplePolygon polygon;
   private final Points points;
@@ -30,7 +30,7 @@ public final class EarClipping {
   private final ReflexGrid reflex;
   private int left; // the number of vertices of the rest
 
-  private EarClipping(SimplePolygon polygon) {
+  private EarClipping(SimplePolygon polygon, Progress progress) {
     this.polygon = polygon;
     points = polygon.points();
     left = polygon.size();
@@ -40,6 +40,7 @@ public final class EarClipping {
     queue = new VertexQueue(left);
     boolean[] isReflex = new boolean[left];
     for (int k = 0; k < left; k++) {
+      Progress.check(progress, k);
       int v = polygon.vertex(k);
       corner[v] = 2 * k;
       isReflex[v] = !isConvex(v);
@@ -53,7 +54,7 @@ public final class EarClipping {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
-    EarClipping run = new EarClipping(polygon);
+    EarClipping run = new EarClipping(polygon, progress);
     run.clipAll(progress);
     return new Triangulation(Domain.POLYGON, run.points, run.dcel, edge -> EdgeKind.DIAGONAL);
   }
@@ -63,8 +64,10 @@ public final class EarClipping {
     for (int k = 0; k < n; k++) {
       enqueue(polygon.vertex(k));
     }
-    for (int tests = 0; left > 3; tests++) {
-      if (tests % TESTS_BETWEEN_REPORTS == 0) {
+    long due = 0;
+    for (long tests = 0; left > 3; tests++) {
+      if (tests + reflex.looks() >= due) {
+        due = tests + reflex.looks() + LOOKS_BETWEEN_REPORTS;
         progress.checkCancelled();
         progress.report(1 - (double) left / n, "Clipping ears");
       }

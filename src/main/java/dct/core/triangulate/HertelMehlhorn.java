@@ -49,7 +49,7 @@ public final class HertelMehlhorn {
       }
     }
     int outer = triangulation.dcel().faceEdge(Dcel.OUTER);
-    return new Partition(polygon, Dcel.of(polygon.size(), run.links, outer));
+    return new Partition(polygon, Dcel.of(polygon.size(), run.links, outer, progress));
   }
 
   private boolean isInessential(int e) {

@@ -1,5 +1,6 @@
 package dct.core.triangulate;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 
@@ -29,7 +30,7 @@ final class KdOrder {
   private final int cells; // a power of two; nodes from here on are single cells
   private final int[] start; // by cell: the place of its first site; and the end of the last
 
-  KdOrder(Points points) {
+  KdOrder(Points points, Progress progress) {
     int n = points.size();
     x = new double[n];
     y = new double[n];
@@ -37,7 +38,7 @@ final class KdOrder {
     int levels = Math.min(MOST_LEVELS, log2(n / PER_CELL));
     cells = 1 << levels;
     start = new int[cells + 1];
-    fill(points, new CellNumbers(points, levels));
+    fill(points, new CellNumbers(points, levels), progress);
   }
 
   /** Rounded down; 0 of 0. */
@@ -46,9 +47,10 @@ final class KdOrder {
   }
 
   /** Counts the sites into their cells. */
-  private void fill(Points points, CellNumbers numbers) {
+  private void fill(Points points, CellNumbers numbers, Progress progress) {
     int[] cell = new int[x.length];
     for (int i = 0; i < cell.length; i++) {
+      Progress.check(progress, i);
       cell[i] = numbers.of(points.x(i), points.y(i));
       start[cell[i]]++;
     }
@@ -59,6 +61,7 @@ final class KdOrder {
     }
     start[cells] = end;
     for (int i = cell.length - 1; i >= 0; i--) {
+      Progress.check(progress, i);
       int place = --start[cell[i]];
       x[place] = points.x(i);
       y[place] = points.y(i);

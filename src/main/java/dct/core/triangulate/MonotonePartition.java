@@ -43,6 +43,7 @@ public final class MonotonePartition {
     order = PlaneOrder.byYThenX(points, progress);
     rank = new int[n];
     for (int k = 0; k < n; k++) {
+      Progress.check(progress, k);
       rank[position(order[k])] = k;
     }
     dcel = Dcel.cycle(polygon.walk());

@@ -15,15 +15,17 @@ import dct.core.geometry.SimplePolygon;
  * reflex chain. Exact; a triangle is cut off only where its area is positive.
  */
 public final class MonotoneTriangulation {
-  private static final int PIECES_BETWEEN_REPORTS = 1 << 12;
-
   private final Points points;
   private final Dcel dcel;
   private final int[] stack; // half-edges that leave the waiting vertices, in the face that is left
   private int top; // of the stack
   private boolean leftChain; // the waiting vertices are on the left chain
 
-  private MonotoneTriangulation(Points points, Dcel dcel) {
+  private final Progress progress;
+  private int merged; // so many vertices of pieces
+
+  private MonotoneTriangulation(Points points, Dcel dcel, Progress progress) {
+    this.progress = progress;
     this.points = points;
     this.dcel = dcel;
     stack = new int[points.size()];
@@ -38,12 +40,9 @@ public final class MonotoneTriangulation {
     Dcel dcel = MonotonePartition.partition(polygon, progress).dcel().copy();
     int partitionEdges = dcel.edgeCount();
     int pieces = dcel.faceBound();
-    MonotoneTriangulation run = new MonotoneTriangulation(polygon.points(), dcel);
+    MonotoneTriangulation run = new MonotoneTriangulation(polygon.points(), dcel, progress);
     for (int f = 1; f < pieces; f++) {
-      if (f % PIECES_BETWEEN_REPORTS == 0) {
-        progress.checkCancelled();
-        progress.report((double) f / pieces, "Triangulating the monotone pieces");
-      }
+      Progress.tick(progress, f - 1, pieces, "Triangulating the monotone pieces");
       run.triangulatePiece(dcel.faceEdge(f));
     }
     return new Triangulation(
@@ -62,6 +61,7 @@ public final class MonotoneTriangulation {
     stack[0] = highest;
     boolean first = true;
     while (left != right) {
+      Progress.check(progress, merged++);
       boolean takeLeft = isAbove(dcel.origin(left), dcel.origin(right));
       int corner = takeLeft ? left : right;
       if (takeLeft) {

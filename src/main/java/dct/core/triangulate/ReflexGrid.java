@@ -22,6 +22,7 @@ final class ReflexGrid {
   private final double columnsPerUnit;
   private final double rowsPerUnit;
   private final Band band = new Band();
+  private long looks;
 
   /** A grid over all points; takes possession of {@code isReflex}. */
   ReflexGrid(Points points, boolean[] isReflex) {
@@ -95,6 +96,11 @@ final class ReflexGrid {
     return value >= 0 ? value : 0; // infinity times nothing is not a number
   }
 
+  /** How many rows and vertices have been looked at so far: what the tests have cost. */
+  long looks() {
+    return looks;
+  }
+
   /** Vertex v has become convex. */
   void remove(int v) {
     isReflex[v] = false;
@@ -119,6 +125,7 @@ final class ReflexGrid {
       band.add(cx, cy, ax, ay);
       int from = start[r * columns + floor(band.minX - MARGIN, columns)];
       int to = start[r * columns + floor(band.maxX + MARGIN, columns) + 1];
+      looks += 1 + to - from;
       if (!isFree(from, to, a, b, c)) {
         return false;
       }

@@ -31,13 +31,14 @@ public final class VisibilityGraph {
   private final int[] downStart; // by position j: where its pairs (i, j), i < j, start
   private final int[] downEnd; // by slot: the lower positions i, ascending within one j
 
-  private VisibilityGraph(int[][] seen, int pairs) {
+  private VisibilityGraph(int[][] seen, int pairs, Progress progress) {
     int n = seen.length;
     upStart = new int[n + 1];
     upEnd = new int[pairs];
     downStart = new int[n + 1];
     downEnd = new int[pairs];
     for (int i = 0; i < n; i++) {
+      checkCancelled(i, progress);
       System.arraycopy(seen[i], 0, upEnd, upStart[i], seen[i].length);
       upStart[i + 1] = upStart[i] + seen[i].length;
       for (int j : seen[i]) {
@@ -47,6 +48,7 @@ public final class VisibilityGraph {
     Arrays.parallelPrefix(downStart, Integer::sum);
     int[] free = downStart.clone();
     for (int i = 0; i < n; i++) {
+      checkCancelled(i, progress);
       for (int pair = upStart[i]; pair < upStart[i + 1]; pair++) {
         downEnd[free[upEnd[pair]]++] = i;
       }
@@ -69,18 +71,24 @@ public final class VisibilityGraph {
         .parallel()
         .forEach(
             task -> {
-              progress.checkCancelled();
               progress.report((double) done.get() / n, "Finding what each vertex sees");
               Cone cone = new Cone(polygon, triangulation);
               int first = task * VERTICES_A_TASK;
               int end = Math.min(n, first + VERTICES_A_TASK);
               for (int i = first; i < end && pairs.get() <= mostPairs; i++) {
+                progress.checkCancelled();
                 seen[i] = cone.seenAfter(i);
                 pairs.addAndGet(seen[i].length);
               }
               done.addAndGet(end - first);
             });
-    return pairs.get() <= mostPairs ? new VisibilityGraph(seen, pairs.intValue()) : null;
+    return pairs.get() <= mostPairs ? new VisibilityGraph(seen, pairs.intValue(), progress) : null;
+  }
+
+  private static void checkCancelled(int i, Progress progress) {
+    if (i % VERTICES_A_TASK == 0) {
+      progress.checkCancelled();
+    }
   }
 
   /** The number of vertices. */

@@ -1,5 +1,6 @@
 package dct.problem.verify;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Points;
@@ -134,7 +135,7 @@ final class PlaneGraph {
 
   /** The topology of a plane triangulation, half-edges numbered as here. */
   Dcel toDcel() {
-    return Dcel.of(points.size(), HalfEdges.of(next, origin), outer());
+    return Dcel.of(points.size(), HalfEdges.of(next, origin), outer(), Progress.NONE);
   }
 
   int halfEdges() {

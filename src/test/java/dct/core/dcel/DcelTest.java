@@ -3,6 +3,7 @@ package dct.core.dcel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.Progress;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -218,7 +219,7 @@ class DcelTest {
   void theEndOfAPathCanBeSplitAndJoined() {
     for (int e = 0; e < 4; e++) {
       int[] next = {2, 0, 3, 1};
-      Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0);
+      Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0, Progress.NONE);
       String before = snapshot(path);
       int d = path.splitEdge(e, 3);
       path.validate();
@@ -345,7 +346,7 @@ class DcelTest {
     cycle.joinEdges(0);
     cycle.validate();
     int[] digon = {2, 3, 0, 1};
-    Dcel twoEdges = Dcel.of(2, HalfEdges.of(digon, new int[] {0, 1, 1, 0}), 1);
+    Dcel twoEdges = Dcel.of(2, HalfEdges.of(digon, new int[] {0, 1, 1, 0}), 1, Progress.NONE);
     assertThat(twoEdges.canJoinEdges(0)).as("both edges to one vertex").isFalse();
   }
 
@@ -396,7 +397,7 @@ class DcelTest {
   }
 
   private static Dcel rebuilt(Dcel dcel) {
-    return Dcel.of(dcel.vertexCount(), dcel.links(), dcel.faceEdge(Dcel.OUTER));
+    return Dcel.of(dcel.vertexCount(), dcel.links(), dcel.faceEdge(Dcel.OUTER), Progress.NONE);
   }
 
   @Test
@@ -412,7 +413,7 @@ class DcelTest {
   @Test
   void ofKeepsIsolatedVertices() {
     int[] next = {2, 0, 3, 1};
-    Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0);
+    Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0, Progress.NONE);
     path.validate();
     assertThat(path.degree(3)).isZero();
     assertThat(path.outEdge(3)).isEqualTo(Dcel.NONE);
@@ -423,7 +424,7 @@ class DcelTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 5})
   void ofKnowsTheEmptyPlane(int vertices) {
-    Dcel empty = Dcel.of(vertices, new HalfEdges(0, 0), Dcel.NONE);
+    Dcel empty = Dcel.of(vertices, new HalfEdges(0, 0), Dcel.NONE, Progress.NONE);
     empty.validate();
     assertThat(empty.edgeCount()).isZero();
     assertThat(empty.faceCount()).isEqualTo(1);
@@ -463,7 +464,7 @@ class DcelTest {
 
   private static Dcel triangulatedBeside(int n, Random random, int isolated) {
     Dcel polygon = triangulated(n, random);
-    return Dcel.of(n + isolated, polygon.links(), polygon.faceEdge(Dcel.OUTER));
+    return Dcel.of(n + isolated, polygon.links(), polygon.faceEdge(Dcel.OUTER), Progress.NONE);
   }
 
   private static Optional<Integer> one(Dcel dcel, Random random, IntPredicate which) {

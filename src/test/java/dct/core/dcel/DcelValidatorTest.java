@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
+import dct.core.Progress;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -64,7 +65,7 @@ class DcelValidatorTest {
   void namesEulersFormulaForTwoComponents() {
     int[] next = {2, 5, 4, 1, 0, 3, 8, 11, 10, 7, 6, 9};
     int[] origin = {0, 1, 1, 2, 2, 0, 3, 4, 4, 5, 5, 3};
-    Dcel dcel = Dcel.of(6, HalfEdges.of(next, origin), 1);
+    Dcel dcel = Dcel.of(6, HalfEdges.of(next, origin), 1, Progress.NONE);
     assertThat(catchThrowable(dcel::validate))
         .isInstanceOf(IllegalStateException.class)
         .hasMessageContaining("broken law: vertices − edges + faces = 2 (at sum 4)");

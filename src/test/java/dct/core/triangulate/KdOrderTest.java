@@ -2,6 +2,7 @@ package dct.core.triangulate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import java.util.Arrays;
@@ -51,7 +52,7 @@ class KdOrderTest {
         Random random = new Random(n);
         double[] x = coordinates(n, spread.from(random));
         double[] y = coordinates(n, other.from(random));
-        KdOrder order = new KdOrder(Points.of(x, y));
+        KdOrder order = new KdOrder(Points.of(x, y), Progress.NONE);
         Walk walk = new Walk(order);
         walk.visit(0, n, true, KdOrder.ROOT);
         assertThat(Arrays.stream(order.site).sorted().toArray()).isEqualTo(range(n));
@@ -69,7 +70,7 @@ class KdOrderTest {
     Random random = new Random(5);
     double[] x = coordinates(n, random::nextDouble);
     double[] y = coordinates(n, random::nextDouble);
-    Walk walk = new Walk(new KdOrder(Points.of(x, y)));
+    Walk walk = new Walk(new KdOrder(Points.of(x, y), Progress.NONE));
     walk.visit(0, n, true, KdOrder.ROOT);
     assertThat(walk.largestMedian).isLessThan(60);
   }
@@ -78,7 +79,7 @@ class KdOrderTest {
   @ParameterizedTest
   @ValueSource(ints = {100, 1_000, 6_000})
   void anOrderMadeAgainstMediansOfThreeIsCutInLinearTime(int n) {
-    KdOrder killer = new KdOrder(inOneCell(new MedianOfThreeKiller(n).values()));
+    KdOrder killer = new KdOrder(inOneCell(new MedianOfThreeKiller(n).values()), Progress.NONE);
     assertThat(killer.select(0, n - 1, n / 2, true)).isLessThanOrEqualTo(60L * n);
     for (int place = 0; place < n; place++) {
       assertThat(killer.precedes(n / 2, place, true)).isEqualTo(place > n / 2);
@@ -89,9 +90,11 @@ class KdOrderTest {
   void ordinaryOrdersAreCutByMediansOfThree() {
     int n = 100_000;
     double[] x = coordinates(n, new Random(1)::nextDouble);
-    assertThat(new KdOrder(inOneCell(x)).select(0, n - 1, n / 2, true)).isLessThan(6L * n);
+    assertThat(new KdOrder(inOneCell(x), Progress.NONE).select(0, n - 1, n / 2, true))
+        .isLessThan(6L * n);
     Arrays.sort(x);
-    assertThat(new KdOrder(inOneCell(x)).select(0, n - 1, n / 2, true)).isLessThan(2L * n);
+    assertThat(new KdOrder(inOneCell(x), Progress.NONE).select(0, n - 1, n / 2, true))
+        .isLessThan(2L * n);
   }
 
   /**

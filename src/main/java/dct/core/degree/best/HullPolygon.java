@@ -67,7 +67,8 @@ final class HullPolygon {
     int[] origin = new int[next.length];
     Arrays.setAll(next, dcel::next);
     Arrays.setAll(origin, e -> site[dcel.origin(e)]);
-    Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), dcel.faceEdge(Dcel.OUTER));
+    int outer = dcel.faceEdge(Dcel.OUTER);
+    Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), outer, Progress.NONE);
     Triangulation triangulation =
         new Triangulation(sites.domain(), sites.points(), named, edge -> EdgeKind.DIAGONAL);
     return new Optimum(triangulation, goal, best.unsatisfied(), best.bound(), false);

@@ -1,5 +1,6 @@
 package dct.core.degree.exact;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Points;
@@ -69,6 +70,6 @@ final class TriangleMesh {
         outer = e;
       }
     }
-    return Dcel.of(n, links, outer);
+    return Dcel.of(n, links, outer, Progress.NONE);
   }
 }

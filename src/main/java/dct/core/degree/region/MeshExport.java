@@ -1,5 +1,6 @@
 package dct.core.degree.region;
 
+import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.dcel.HalfEdges;
 import dct.core.triangulate.EdgeKind;
@@ -31,7 +32,7 @@ final class MeshExport {
         outer = mesh.twin[e] == SearchMesh.NONE ? copyOutside(e) : outer;
       }
     }
-    Dcel dcel = Dcel.of(mesh.size(), links, outer);
+    Dcel dcel = Dcel.of(mesh.size(), links, outer, Progress.NONE);
     return new Triangulation(start.domain(), start.points(), dcel, edge -> EdgeKind.DIAGONAL);
   }
 
