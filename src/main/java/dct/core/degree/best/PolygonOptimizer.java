@@ -138,7 +138,7 @@ public final class PolygonOptimizer {
       if (exact.isPresent()) {
         return exact.get();
       }
-      best = new PolygonImprover(polygon, goal, limits, clock).run(best, bound.value());
+      best = new PolygonImprover(goal, limits, clock).run(best, bound.value());
     } catch (CancellationException e) {
       return found(true);
     }

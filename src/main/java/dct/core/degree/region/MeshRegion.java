@@ -1,46 +1,59 @@
 package dct.core.degree.region;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
+import dct.core.geometry.Points;
+import dct.core.geometry.SimplePolygon;
+import dct.core.triangulate.MonotoneTriangulation;
+import dct.core.triangulate.VisibilityGraph;
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
 
 /**
- * A simple polygon of a few vertices, grown triangle by triangle in a {@link SearchMesh} and filled
- * anew with the best triangulation for the costs given.
+ * A simple polygon grown triangle by triangle in a {@link SearchMesh} and filled anew with the best
+ * triangulation for the costs given: by a {@link RegionTable}, or a {@link ParityTable} if it has
+ * many vertices.
  *
  * <p>The triangles taken are those of the mesh, each joined along one edge by a vertex that is new
  * to the region: so the region is a simple polygon with no vertex inside. Only vertices numbered
  * from {@code lo} to {@code hi} − 1 are taken. While it is open, the parities of the mesh are those
  * of the triangles outside it.
  *
- * <p>Growing costs O(m) a triangle, filling O(m³) for m vertices.
+ * <p>The present triangles are one of the choices, so that the number of unmet vertices never
+ * grows. Growing costs O(m) a triangle, filling at most m³/6 steps for m vertices.
  */
 final class MeshRegion {
-  private static final int NOISE_BITS = 10;
+  private static final long MOST_STEPS = 200_000_000L; // of one large table
 
   private final SearchMesh mesh;
   private final SeededRandom random;
-  private final RegionTable table;
+  private final Progress progress;
+  private final RegionTable small;
   private final int lo;
   private final int hi;
   private final int[] ring; // the vertices, counter-clockwise
   private final int[] outer; // by place: the half-edge outside, from the next vertex to this one
   private final int[] slot; // the triangles, size − 2 of them, by their first half-edge
+  private final int[] costs; // by place: of an even number of triangles, and of an odd one
   private final double[] px;
   private final double[] py;
   private int size;
-  private int before; // how many of the vertices were unsatisfied when they were taken
+  private int before; // how many of the vertices were unmet when they were taken
   private int filled; // how many triangles are written
 
-  MeshRegion(SearchMesh mesh, SeededRandom random, int most, int lo, int hi) {
+  MeshRegion(SearchMesh mesh, SeededRandom random, Progress progress, int most, int lo, int hi) {
     this.mesh = mesh;
     this.random = random;
+    this.progress = progress;
     this.lo = lo;
     this.hi = hi;
-    table = new RegionTable(mesh, most);
     ring = new int[most];
     outer = new int[most];
     slot = new int[most];
+    costs = new int[2 * most];
     px = new double[most];
     py = new double[most];
+    small = new RegionTable(mesh, px, py, costs, Math.min(most, RegionTable.MOST));
   }
 
   /** The number of vertices. */
@@ -84,16 +97,18 @@ final class MeshRegion {
     mesh.wrong[w] ^= 1;
   }
 
-  /** Grows to m vertices, or fewer where that fails, over edges chosen at random. */
-  void grow(int m) {
-    for (int tries = 3 * m; size < m && tries > 0; tries--) {
+  /**
+   * Grows to m vertices, or fewer where so many tries a vertex, at random edges, do not suffice.
+   */
+  void grow(int m, int triesEach) {
+    for (int tries = triesEach * m; size < m && tries > 0; tries--) {
       tryTake(random.nextInt(size));
     }
   }
 
   /** Grows as {@link #grow}, each time over the better of two edges for coming near a target. */
-  void growTowards(int target, int m) {
-    for (int tries = 3 * m; size < m && tries > 0; tries--) {
+  void growTowards(int target, int m, int triesEach) {
+    for (int tries = triesEach * m; size < m && tries > 0; tries--) {
       int i = random.nextInt(size);
       int j = random.nextInt(size);
       tryTake(distanceBeyond(j, target) < distanceBeyond(i, target) ? j : i);
@@ -142,23 +157,26 @@ final class MeshRegion {
   }
 
   /**
-   * Closes the region with the fewest unsatisfied vertices; ties break at random.
+   * Closes the region with the fewest unmet vertices; ties break at random.
    *
-   * @return by how much the number of unsatisfied vertices grew: never above 0
+   * @param noiseBits chords cost a random amount below 2 to this power; all of them together less
+   *     than a weight
+   * @return by how much the number of unmet vertices grew: never above 0
+   * @throws CancellationException if cancelled; then nothing has changed
    */
-  int fill() {
+  int fill(int noiseBits) {
     for (int i = 0; i < size; i++) {
       setCost(i, mesh.weight[ring[i]]);
     }
-    return replace(NOISE_BITS);
+    return replace(noiseBits);
   }
 
   /**
-   * Closes the region with the fewest unsatisfied vertices, and among such triangulations with one
-   * whose unsatisfied vertices are near a target.
+   * Closes the region with the fewest unmet vertices, and among such triangulations with one whose
+   * unmet vertices are near a target.
    *
    * @param pull the price of the farthest vertex over the nearest, small against a weight
-   * @return by how much the number of unsatisfied vertices grew: never above 0
+   * @return by how much the number of unmet vertices grew: never above 0
    */
   int fillTowards(int target, int pull, int noiseBits) {
     double nearest = Double.POSITIVE_INFINITY;
@@ -178,16 +196,27 @@ final class MeshRegion {
 
   private void setCost(int i, int cost) {
     boolean isWrong = mesh.wrong[ring[i]] != 0;
-    table.even[i] = isWrong ? cost : 0;
-    table.odd[i] = isWrong ? 0 : cost;
+    costs[2 * i] = isWrong ? cost : 0;
+    costs[2 * i + 1] = isWrong ? 0 : cost;
   }
 
   private int replace(int noiseBits) {
     locate();
-    table.solve(px, py, size, noiseBits, random.nextInt());
-    filled = 0;
-    mesh.link(write(0, size - 1, table.ends()), outer[size - 1]);
-    return unsatisfied() - before;
+    if (size <= RegionTable.MOST) {
+      small.solve(size, noiseBits, random.nextInt());
+      return write(small);
+    }
+    try {
+      VisibilityGraph graph = visibility();
+      if (ParityTable.steps(graph) <= MOST_STEPS) {
+        return write(large(graph, noiseBits));
+      }
+    } catch (CancellationException e) {
+      putBack();
+      throw e;
+    }
+    putBack();
+    return 0;
   }
 
   private void locate() {
@@ -197,19 +226,53 @@ final class MeshRegion {
     }
   }
 
+  private VisibilityGraph visibility() {
+    Points points = Points.of(Arrays.copyOf(px, size), Arrays.copyOf(py, size));
+    SimplePolygon polygon = SimplePolygon.of(points, progress);
+    return VisibilityGraph.of(
+        polygon,
+        MonotoneTriangulation.triangulate(polygon, progress),
+        Integer.MAX_VALUE / 8,
+        progress);
+  }
+
+  private ParityTable large(VisibilityGraph graph, int noiseBits) {
+    int[] noise = new int[graph.pairs()];
+    for (int pair = 0; pair < noise.length; pair++) {
+      noise[pair] = random.nextInt(1 << noiseBits);
+    }
+    return ParityTable.fill(graph, costs, noise, progress);
+  }
+
+  /** Closes the region with the triangles that it had. */
+  private void putBack() {
+    for (int k = 0; k < size - 2; k++) {
+      for (int e = slot[k]; e < slot[k] + 3; e++) {
+        mesh.wrong[mesh.corner[e]] ^= 1;
+      }
+    }
+  }
+
+  /** Closes the region as a table says; returns by how much the number of unmet vertices grew. */
+  private int write(ChordTable table) {
+    filled = 0;
+    mesh.link(write(table, 0, size - 1, table.ends()), outer[size - 1]);
+    return unmet() - before;
+  }
+
   /** Writes the triangles on chord (i, j); returns the half-edge from j to i on its near side. */
-  private int write(int i, int j, int ends) {
+  private int write(ChordTable table, int i, int j, int ends) {
     if (j == i + 1) {
       return outer[i];
     }
-    int found = table.apex(px, py, i, j, ends);
+    int found = table.triangle(i, j, ends);
     int k = found >> 4;
     int t = slot[filled++];
     setCorner(t, ring[i]);
     setCorner(t + 1, ring[k]);
     setCorner(t + 2, ring[j]);
-    mesh.link(t, write(i, k, (found >> 2) & 3));
-    mesh.link(t + 1, write(k, j, found & 3));
+    mesh.link(t, write(table, i, k, (found >> 2) & 3));
+    mesh.link(t + 1, write(table, k, j, found & 3));
     return t + 2;
   }
 
@@ -219,7 +282,7 @@ final class MeshRegion {
     mesh.wrong[v] ^= 1;
   }
 
-  private int unsatisfied() {
+  private int unmet() {
     int count = 0;
     for (int i = 0; i < size; i++) {
       count += mesh.isUnsatisfied(ring[i]) ? 1 : 0;

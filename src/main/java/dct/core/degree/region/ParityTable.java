@@ -11,68 +11,50 @@ import java.util.concurrent.RecursiveAction;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * The fewest unsatisfied vertices over all triangulations of a simple polygon, and a triangulation
- * that has them: a table over the pairs of vertices that see each other.
- *
- * <p>Let i &lt; j see each other, and let P(i, j) be the part of the polygon between the chord ij
- * and the boundary from i to j. For each parity p of the edges that P(i, j) puts at i, and q at j,
- * the chord itself not counted, the table holds the fewest unsatisfied vertices strictly between i
- * and j. With the apex k of the triangle on the chord,
- *
- * <pre>f(i, j)[1−p][1−q] = min over k, r, s of f(i, k)[p][r] + w(k, r+s) + f(k, j)[s][q]</pre>
- *
- * where w(k, r+s) is what that parity costs at k, 1 if it leaves k unsatisfied: k has besides the
- * chords ik and kj only the edges counted by r and s. An edge of the polygon has f[0][0] = 0 and no
- * other entry.
+ * The {@link ChordTable} of a polygon of any size, over the pairs of vertices that see each other:
+ * the fewest unmet vertices over all triangulations, and a triangulation that has them.
  *
  * <p>Time is the number of triangles that see through, at most n³/6, found by merging sorted lists;
  * memory 32 bytes a pair beside the 8 of the graph. The triangle of pairs is cut into blocks, and
- * the blocks of one anti-diagonal are computed in parallel. Ties go to the lowest apex.
+ * the blocks of one anti-diagonal are computed in parallel.
  */
-public final class ParityTable {
-  private static final int INFINITE = 1 << 28; // three of these still add up without overflow
+public final class ParityTable extends ChordTable {
   private static final int BLOCKS = 24;
 
   private final VisibilityGraph graph;
-  private final int[] wrong; // by position and parity of its degree: what that costs
   private final int[] noise; // by pair: what its chord costs; empty if nothing
-  // Both hold four entries a pair; a loop over the apex runs through either in order.
-  private final int[] best; // by slot: f(k, j)[s][q] at 2s + q
-  private final int[] onward; // by pair: min over r of f(i, k)[p][r] + w(k, r + s) at 2p + s
   private final int n;
 
-  private ParityTable(VisibilityGraph graph, int[] wrong, int[] noise) {
+  private ParityTable(VisibilityGraph graph, int[] costs, int[] noise) {
+    super(costs, graph.pairs());
     this.graph = graph;
-    this.wrong = wrong;
     this.noise = noise;
     n = graph.vertices();
-    best = new int[4 * graph.pairs()];
-    onward = new int[4 * graph.pairs()];
   }
 
   /**
    * Fills the table.
    *
-   * @param wrong by position k, what it costs that the degree there is even, at 2k, or odd, at 2k +
-   *     1
+   * @param costs by position k, the cost of an even number of triangles there, at 2k, and of an odd
+   *     one, at 2k + 1
    * @param noise by pair, what its chord costs; or empty. All costs together stay below 2²⁸.
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static ParityTable fill(
-      VisibilityGraph graph, int[] wrong, int[] noise, Progress progress) {
-    ParityTable table = new ParityTable(graph, wrong, noise);
+      VisibilityGraph graph, int[] costs, int[] noise, Progress progress) {
+    ParityTable table = new ParityTable(graph, costs, noise);
     table.fillBlocks(progress);
     return table;
   }
 
-  /** The costs by which a table counts unsatisfied vertices, from the wish at each position. */
+  /** The costs by which a table counts unmet vertices, from the wish at each position. */
   public static int[] costs(ParityGoal.Wish[] wishes) {
-    int[] wrong = new int[2 * wishes.length];
+    int[] costs = new int[2 * wishes.length];
     for (int k = 0; k < wishes.length; k++) {
-      wrong[2 * k] = wishes[k].isSatisfiedBy(0) ? 0 : 1;
-      wrong[2 * k + 1] = wishes[k].isSatisfiedBy(1) ? 0 : 1;
+      costs[2 * k] = wishes[k].isSatisfiedBy(1) ? 0 : 1; // one edge more than triangles
+      costs[2 * k + 1] = wishes[k].isSatisfiedBy(0) ? 0 : 1;
     }
-    return wrong;
+    return costs;
   }
 
   /** How many steps {@link #fill} will take: an upper bound on the triangles that see through. */
@@ -165,7 +147,7 @@ public final class ParityTable {
     if (j == i + 1) {
       m11 = 0; // stored as f[0][0] below
     }
-    int chord = noise.length == 0 || j == i + 1 ? 0 : noise[pair];
+    int own = noise.length == 0 || j == i + 1 ? 0 : noise[pair];
     int up = graph.firstUp(i);
     int slot = firstSlotAfter(j, i);
     int mine = slot - 1;
@@ -180,10 +162,10 @@ public final class ParityTable {
       } else {
         int g = 4 * up++;
         int f = 4 * slot++;
-        int g00 = onward[g];
-        int g01 = onward[g + 1];
-        int g10 = onward[g + 2];
-        int g11 = onward[g + 3];
+        int g00 = closed[g];
+        int g01 = closed[g + 1];
+        int g10 = closed[g + 2];
+        int g11 = closed[g + 3];
         int f00 = best[f];
         int f01 = best[f + 1];
         int f10 = best[f + 2];
@@ -194,21 +176,7 @@ public final class ParityTable {
         m11 = Math.min(m11, Math.min(g10 + f01, g11 + f11));
       }
     }
-    store(mine, pair, j, m11 + chord, m10 + chord, m01 + chord, m00 + chord);
-  }
-
-  private void store(int slot, int pair, int j, int f00, int f01, int f10, int f11) {
-    best[4 * slot] = Math.min(INFINITE, f00);
-    best[4 * slot + 1] = Math.min(INFINITE, f01);
-    best[4 * slot + 2] = Math.min(INFINITE, f10);
-    best[4 * slot + 3] = Math.min(INFINITE, f11);
-    int at = 4 * pair;
-    int even = wrong[2 * j];
-    int odd = wrong[2 * j + 1];
-    onward[at] = Math.min(INFINITE, Math.min(f00 + even, f01 + odd));
-    onward[at + 1] = Math.min(INFINITE, Math.min(f00 + odd, f01 + even));
-    onward[at + 2] = Math.min(INFINITE, Math.min(f10 + even, f11 + odd));
-    onward[at + 3] = Math.min(INFINITE, Math.min(f10 + odd, f11 + even));
+    store(j, 4 * mine, 4 * pair, m11 + own, m10 + own, m01 + own, m00 + own);
   }
 
   /** The first slot (k, j) with k above i. */
@@ -228,28 +196,31 @@ public final class ParityTable {
 
   // ---- reading
 
-  /** The least cost: the fewest unsatisfied vertices. */
-  public int fewest() {
-    int fewest = INFINITE;
-    for (int parities = 0; parities < 4; parities++) {
-      fewest = Math.min(fewest, total(parities));
-    }
-    return fewest;
+  @Override
+  int size() {
+    return n;
   }
 
-  /** The least cost with these parities at the ends of the last edge. */
-  private int total(int parities) {
-    return best(0, n - 1, parities)
-        + wrong[1 - (parities >> 1)]
-        + wrong[2 * n - 1 - (parities & 1)];
+  @Override
+  int at(int i, int j) {
+    return 4 * (firstSlotAfter(j, i) - 1);
   }
 
-  private int noiseOf(int i, int j) {
+  @Override
+  int own(int i, int j) {
     return noise.length == 0 ? 0 : noise[firstPairFrom(i, j)];
   }
 
-  private int best(int i, int j, int parities) {
-    return best[4 * (firstSlotAfter(j, i) - 1) + parities];
+  @Override
+  int apexAfter(int k, int i, int j) {
+    for (int slot = firstSlotAfter(j, k); slot < graph.firstDown(j + 1); slot++) {
+      int apex = graph.low(slot);
+      int left = firstSlotAfter(apex, i) - 1;
+      if (left >= graph.firstDown(apex) && graph.low(left) == i) {
+        return apex;
+      }
+    }
+    return j;
   }
 
   /**
@@ -258,12 +229,8 @@ public final class ParityTable {
    * @param corner by position: the half-edge of the face that leaves the vertex there
    */
   public void cut(Dcel dcel, int[] corner) {
-    int parities = 0;
-    while (total(parities) != fewest()) {
-      parities++;
-    }
     List<Chord> waiting = new ArrayList<>();
-    waiting.add(new Chord(0, n - 1, parities, corner[n - 1]));
+    waiting.add(new Chord(0, n - 1, ends(), corner[n - 1]));
     while (!waiting.isEmpty()) {
       Chord chord = waiting.remove(waiting.size() - 1);
       if (chord.j > chord.i + 1) {
@@ -277,34 +244,19 @@ public final class ParityTable {
    *
    * @param i its lower position
    * @param j its higher position
-   * @param parities those that the part puts at its ends, 2p + q
+   * @param ends the parities of the triangles of the part at its ends, 2p + q
    * @param back the half-edge along the chord that leaves j, with the part on its left
    */
-  private record Chord(int i, int j, int parities, int back) {}
+  private record Chord(int i, int j, int ends, int back) {}
 
   private void cutAtApex(Dcel dcel, int[] corner, Chord chord, List<Chord> waiting) {
     int i = chord.i;
     int j = chord.j;
-    int p = 1 - (chord.parities >> 1);
-    int q = 1 - (chord.parities & 1);
-    int target = best(i, j, chord.parities) - noiseOf(i, j);
-    for (int slot = firstSlotAfter(j, i); slot < graph.firstDown(j + 1); slot++) {
-      int k = graph.low(slot);
-      int left = firstSlotAfter(k, i) - 1;
-      boolean seen = left >= graph.firstDown(k) && graph.low(left) == i;
-      for (int rs = 0; seen && rs < 4; rs++) {
-        int leftParities = 2 * p + (rs >> 1);
-        int rightParities = 2 * (rs & 1) + q;
-        int apex = wrong[2 * k + ((rs >> 1) ^ (rs & 1))];
-        if (best[4 * left + leftParities] + apex + best[4 * slot + rightParities] == target) {
-          int backLeft = k == i + 1 ? Dcel.NONE : dcel.splitFace(corner[i], corner[k]) ^ 1;
-          int backRight = j == k + 1 ? Dcel.NONE : dcel.splitFace(corner[k], chord.back) ^ 1;
-          waiting.add(new Chord(i, k, leftParities, backLeft));
-          waiting.add(new Chord(k, j, rightParities, backRight));
-          return;
-        }
-      }
-    }
-    throw new IllegalStateException("the table has no apex for its own value");
+    int triangle = triangle(i, j, chord.ends);
+    int k = triangle >> 4;
+    int backLeft = k == i + 1 ? Dcel.NONE : dcel.splitFace(corner[i], corner[k]) ^ 1;
+    int backRight = j == k + 1 ? Dcel.NONE : dcel.splitFace(corner[k], chord.back) ^ 1;
+    waiting.add(new Chord(i, k, triangle >> 2 & 3, backLeft));
+    waiting.add(new Chord(k, j, triangle & 3, backRight));
   }
 }

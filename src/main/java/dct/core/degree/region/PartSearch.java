@@ -20,10 +20,12 @@ import dct.core.SeededRandom;
  */
 public final class PartSearch {
   private static final int SIZE = 10; // vertices of a region
+  private static final int TRIES = 3; // to grow by one vertex
   private static final int CHECK_EVERY = 32; // steps between two looks at the progress
   private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
   private static final int DETOUR = 64; // how far along the curve a vertex is led astray
   private static final int PATIENCE = 6; // steps of one walk that come no nearer
+  private static final int SWEEP_NOISE_BITS = 10;
   private static final int PULL_BITS = 14;
   private static final int NOISE_BITS = 9;
   private static final int STUCK = 4; // rounds without help, after which walks are varied
@@ -51,7 +53,7 @@ public final class PartSearch {
     this.progress = progress;
     this.lo = lo;
     this.hi = hi;
-    region = new MeshRegion(mesh, random, LARGEST, lo, hi);
+    region = new MeshRegion(mesh, random, progress, LARGEST, lo, hi);
     collect();
   }
 
@@ -77,8 +79,8 @@ public final class PartSearch {
   public void sweep(int enough) {
     for (int v = lo; v < hi && unsatisfied > enough && !isOver(); v++) {
       if (mesh.isUnsatisfied(v) && region.open(mesh.halfEdgeAt(v, random))) {
-        region.grow(SIZE);
-        unsatisfied += region.fill();
+        region.grow(SIZE, TRIES);
+        unsatisfied += region.fill(SWEEP_NOISE_BITS);
       }
     }
   }
@@ -187,7 +189,7 @@ public final class PartSearch {
   private int step(int v, int target) {
     int change = 0;
     if (region.open(mesh.halfEdgeAt(v, random))) {
-      region.growTowards(target, size);
+      region.growTowards(target, size, TRIES);
       change = region.fillTowards(target, 1 << pullBits, noiseBits);
       unsatisfied += change;
     }

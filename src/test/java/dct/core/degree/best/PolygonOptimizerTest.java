@@ -184,8 +184,7 @@ class PolygonOptimizerTest {
       Points points = RandomPolygons.starShaped(1500, new Random(seed));
       SimplePolygon polygon = SimplePolygon.of(points, Progress.NONE);
       ParityGoal goal = ParityGoal.allEven(points.size());
-      PolygonImprover improver =
-          new PolygonImprover(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+      PolygonImprover improver = new PolygonImprover(goal, SearchLimits.DEFAULT, Progress.NONE);
       Triangulation monotone = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
 
       Triangulation improved = improver.run(monotone, 0);
