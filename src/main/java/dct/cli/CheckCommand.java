@@ -1,6 +1,8 @@
 package dct.cli;
 
+import com.google.gson.JsonObject;
 import dct.core.Progress;
+import dct.io.BadInputException;
 import dct.problem.Instance;
 import java.io.IOException;
 import picocli.CommandLine.Model.OptionSpec;
@@ -8,11 +10,14 @@ import picocli.CommandLine.Model.OptionSpec;
 /** {@code dct check}: whether an input can be triangulated. */
 final class CheckCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
+  private final OptionSpec json =
+      flag(
+          "--json", "Print what was found as one JSON object, also where the input is not usable.");
   private final OptionSpec quiet = flag("--quiet", "Print nothing; the exit status tells.");
 
   CheckCommand(Console console) {
     super(console, "Is it a simple polygon, or usable sites? Says what is wrong, and where.");
-    examples("dct check samples/comb_polygonbased.txt");
+    examples("dct check samples/comb_polygonbased.txt --json");
   }
 
   @Override
@@ -22,10 +27,43 @@ final class CheckCommand extends Verb {
 
   @Override
   public Integer call() throws IOException {
-    Instance instance = input.instance(Progress.NONE);
-    if (!isSet(quiet)) {
-      console().print(input.name() + ": " + instance.description());
+    try {
+      Instance instance = input.instance(Progress.NONE);
+      if (isSet(json)) {
+        console().print(json(instance).toString());
+      } else if (!isSet(quiet)) {
+        console().print(input.name() + ": " + instance.description());
+      }
+      return CommandLineProgram.DONE;
+    } catch (BadInputException e) {
+      if (isSet(json)) {
+        console().print(json(e).toString());
+      }
+      throw e;
     }
-    return CommandLineProgram.DONE;
+  }
+
+  private JsonObject json(Instance instance) {
+    JsonObject object = new JsonObject();
+    object.addProperty("input", input.name());
+    object.addProperty("usable", true);
+    object.addProperty("kind", instance.domain().word());
+    object.addProperty("vertices", instance.size());
+    object.addProperty("merged", instance.merged());
+    if (instance instanceof Instance.OfPolygon of) {
+      object.addProperty("clockwise", of.polygon().isClockwise());
+    }
+    return object;
+  }
+
+  private JsonObject json(BadInputException e) {
+    JsonObject object = new JsonObject();
+    object.addProperty("input", input.name());
+    object.addProperty("usable", false);
+    if (e.line() > 0) {
+      object.addProperty("line", e.line());
+    }
+    object.addProperty("fault", e.fault());
+    return object;
   }
 }

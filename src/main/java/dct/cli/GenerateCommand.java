@@ -1,5 +1,7 @@
 package dct.cli;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.Area;
@@ -54,6 +56,9 @@ final class GenerateCommand extends Verb {
               + "; - is text on standard output, which is the default."
               + " May repeat.");
 
+  private final OptionSpec json =
+      flag("--json", "Print what was made as one JSON object; needs an -o that is a file.");
+
   GenerateCommand(Console console) {
     super(console, description());
     examples(
@@ -89,14 +94,39 @@ final class GenerateCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
+    if (isSet(json) && (outputs.isEmpty() || outputs.contains(STANDARD_STREAM))) {
+      throw new UsageException("--json and the points both want standard output, use -o FILE");
+    }
     try (Interruption interruption = new Interruption()) {
       PointDocument document = document(progress(interruption, true));
       checkNames(outputs, document.declared().orElseThrow());
       for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
         PointOutput.write(document, file, console());
       }
+      if (isSet(json)) {
+        console().print(json(document, outputs).toString());
+      }
       return interruption.status();
     }
+  }
+
+  private JsonObject json(PointDocument document, List<String> outputs) {
+    JsonObject object = new JsonObject();
+    object.addProperty("kind", document.declared().orElseThrow().word());
+    object.addProperty("shape", shapeWord());
+    object.addProperty("seed", seed());
+    object.addProperty("vertices", document.points().size());
+    JsonArray files = new JsonArray();
+    outputs.forEach(files::add);
+    object.add("outputs", files);
+    return object;
+  }
+
+  private String shapeWord() {
+    String usual =
+        what.getValue().equals("points") ? SiteShape.UNIFORM.word() : PolygonShape.TWO_OPT.word();
+    String wished = shape.getValue();
+    return Objects.requireNonNullElse(wished, usual);
   }
 
   private PointDocument document(Progress progress) {
@@ -113,7 +143,7 @@ final class GenerateCommand extends Verb {
   }
 
   private PointDocument points(Progress progress) {
-    String word = Objects.requireNonNullElse(shape.getValue(), SiteShape.UNIFORM.word());
+    String word = shapeWord();
     SiteShape wished = SiteShape.of(word).orElseThrow(() -> unknown(word, SiteShape.words()));
     int count = n.getValue();
     return PointDocument.of(
@@ -123,7 +153,7 @@ final class GenerateCommand extends Verb {
   }
 
   private PointDocument polygon(Progress progress) {
-    String word = Objects.requireNonNullElse(shape.getValue(), PolygonShape.TWO_OPT.word());
+    String word = shapeWord();
     PolygonShape wished =
         PolygonShape.of(word).orElseThrow(() -> unknown(word, PolygonShape.words()));
     int count = n.getValue();
