@@ -71,8 +71,8 @@ public final class SiteOptimizer {
    * The best triangulation found: one that attains the bound, or the best so far when the search
    * has done all it does for this effort, the time is up or the user has cancelled.
    *
-   * @param start a triangulation of sites; it is returned if it attains the bound, or if the sites
-   *     lie on one line
+   * @param start a triangulation of sites; it is returned if it attains the bound and there are
+   *     more than 16, or if they lie on one line
    * @param bound proven by the caller
    * @param progress is told the best count so far; cancelling ends the search with the best so far
    */
@@ -87,7 +87,8 @@ public final class SiteOptimizer {
 
   private Optimum run() {
     boolean interrupted = false;
-    if (unmet > bound.value() && start.triangleCount() > 0) {
+    boolean isSmall = start.vertexCount() <= ExactSites.ALWAYS; // always solved the same way
+    if (start.triangleCount() > 0 && (isSmall || unmet > bound.value())) {
       try {
         improve();
       } catch (CancellationException e) {
