@@ -134,7 +134,7 @@ class ProgressTest {
     assertThat(few.asked.get()).isPositive();
     if (fewAndMany.get(1).size == MANY || fewAndMany.get(1).name.equals("visibility")) {
       assertThat(many.asked.get()).isGreaterThan(few.asked.get());
-      assertThat(many.asked.get()).isGreaterThan(fewAndMany.get(1).size / 30_000);
+      assertThat(many.asked.get()).isGreaterThan(fewAndMany.get(1).size / 50_000);
     }
   }
 

@@ -40,7 +40,7 @@ public final class Aqt {
     int hub = v0; // leaves v₀ in the part that is still whole
     int vi = dcel.next(dcel.next(v0)); // leaves vᵢ in that part
     for (int i = 2; i <= n - 2; i += 3) {
-      Progress.check(progress, i / 3);
+      Progress.check(progress, i / 3 + 1); // not in every small piece
       hub = dcel.splitFace(hub, vi);
       if (i <= n - 3) {
         int viPlus2 = dcel.next(dcel.next(vi));

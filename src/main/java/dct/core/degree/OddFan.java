@@ -37,7 +37,7 @@ public final class OddFan {
     int hub = v0;
     int vi = dcel.next(dcel.next(v0));
     for (int i = 2; i <= n - 2; i++) {
-      Progress.check(progress, i - 2);
+      Progress.check(progress, i); // not in every small piece
       hub = dcel.splitFace(hub, vi);
       vi = dcel.next(vi);
     }

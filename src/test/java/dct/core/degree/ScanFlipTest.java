@@ -23,7 +23,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Scan-Flip against its rules written out a second time, and what each flip gains. */
+/**
+ * Scan-Flip against its rules written out a second time, and what each flip gains.
+ *
+ * <pre>
+ * Sites sites = RandomSets.families().get(0).make(200, 1);
+ * Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
+ * FlipResult result = ScanFlip.run(delaunay, Progress.NONE);
+ * DegreeCount.of(result.before()).odd(); // some half of them
+ * DegreeCount.of(result.after()).odd(); // two or four fewer with each of result.flips()
+ * </pre>
+ */
 class ScanFlipTest {
 
   static List<RandomPolygons.Family> polygons() {

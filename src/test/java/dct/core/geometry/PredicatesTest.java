@@ -20,6 +20,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * The predicates against decimal arithmetic, or against long integers where the coordinates are
  * small whole numbers; and which stage decided.
+ *
+ * <pre>
+ * double ulp = Math.ulp(1.0);
+ * Predicates.orient(0, 0, 1, 1, 2, 2); // 0: on one line
+ * Predicates.orient(0, 0, 1, 1, 2, 2 + 2 * ulp); // 1: to the left, by one ulp
+ * Predicates.inCircle(1, 0, 0, 1, -1, 0, 0, -1); // 0: on one circle
+ * Predicates.inCircle(1, 0, 0, 1, -1, 0, 0, 0); // 1: inside
+ * </pre>
  */
 class PredicatesTest {
   private static final double ULP = 0x1p-52;

@@ -22,7 +22,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The sweep against a look at every pair of edges; and what it says of the defect is true. */
+/**
+ * The sweep against a look at every pair of edges; and what it says of the defect is true.
+ *
+ * <pre>
+ * Points bowTie = Points.ofPairs(0, 0, 4, 4, 4, 0, 0, 4);
+ * Optional&lt;Defect&gt; found = SimplicityCheck.firstDefect(bowTie, Progress.NONE);
+ * Defect defect = found.orElseThrow();
+ * defect.kind(); // Kind.CROSSING
+ * defect.x(); // 2.0
+ * </pre>
+ */
 class SimplicityCheckTest {
 
   /** On the smallest grids nearly every chain is broken, in every way that there is. */

@@ -1,15 +1,13 @@
-package dct.core;
+package dct.core.triangulate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
-import dct.core.triangulate.Delaunay;
-import dct.core.triangulate.EdgeKind;
-import dct.core.triangulate.Triangulation;
 import dct.testing.ForeignDataTest;
 import dct.testing.RandomSets;
 import dct.testing.RandomSets.Family;
@@ -27,8 +25,27 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Delaunay and Scan-Flip on sites of many kinds. */
-class SiteAlgorithmsTest {
+/**
+ * Delaunay, and Scan-Flip after it, on sites of many kinds.
+ *
+ * <pre>
+ * Points points = Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4, 2, 1);
+ * Sites sites = Sites.of(points, Progress.NONE);
+ * Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
+ * delaunay.triangleCount(); // 4
+ * delaunay.degree(4); // 4: the inner site
+ * </pre>
+ */
+class DelaunayTest {
+
+  @Test
+  void theExample() {
+    Points points = Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 4, 2, 1);
+    Sites sites = Sites.of(points, Progress.NONE);
+    Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
+    assertThat(delaunay.triangleCount()).isEqualTo(4);
+    assertThat(delaunay.degree(4)).isEqualTo(4);
+  }
 
   static List<Family> families() {
     return RandomSets.families();
@@ -170,7 +187,7 @@ class SiteAlgorithmsTest {
   List<DynamicTest> everySample() {
     List<Path> samples = SharedData.samples("pointbased");
     assertThat(samples).hasSizeGreaterThanOrEqualTo(5);
-    return samples.stream().map(SiteAlgorithmsTest::onAllImages).toList();
+    return samples.stream().map(DelaunayTest::onAllImages).toList();
   }
 
   private static DynamicTest onAllImages(Path file) {

@@ -17,8 +17,28 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The trapezoid chords against a look along the level line through each vertex. */
-class ChordsTest {
+/**
+ * The trapezoid chords against a look along the level line through each vertex; the pieces on
+ * polygons of many kinds in {@code PolygonAlgorithmsTest}.
+ *
+ * <pre>
+ * Points corners = Points.ofPairs(0, 0, 4, 0, 3, 4, 2, 2, 1, 4);
+ * SimplePolygon em = SimplePolygon.of(corners, Progress.NONE);
+ * MonotonePartition.partition(em, Progress.NONE).pieces(); // 2
+ * MonotonePartition.chords(em, Progress.NONE); // from v3 to both sides:
+ * // (3, 3.5, 2.0) and (3, 0.5, 2.0)
+ * </pre>
+ */
+class MonotonePartitionTest {
+
+  @Test
+  void theExample() {
+    Points corners = Points.ofPairs(0, 0, 4, 0, 3, 4, 2, 2, 1, 4);
+    SimplePolygon em = SimplePolygon.of(corners, Progress.NONE);
+    assertThat(MonotonePartition.partition(em, Progress.NONE).pieces()).isEqualTo(2);
+    assertThat(MonotonePartition.chords(em, Progress.NONE))
+        .containsExactlyInAnyOrder(new Chord(3, 3.5, 2), new Chord(3, 0.5, 2));
+  }
 
   static List<Family> families() {
     // Between vertices an ulp apart, or of every size at once, a rounded end says nothing.
