@@ -63,7 +63,7 @@ final class SiteSearch {
 
   /** How many vertices are unmet, in linear time. */
   int unmet() {
-    return mesh.unsatisfied();
+    return mesh.unmet();
   }
 
   /** The triangulation as it is now. */
@@ -84,7 +84,7 @@ final class SiteSearch {
     for (int pass = passes; pass < SWEEPS; pass++) {
       whole.sweep(enough);
     }
-    report(0.8, whole.unsatisfied());
+    report(0.8, whole.unmet());
     whole.pairUp(enough, patience);
   }
 
@@ -112,7 +112,7 @@ final class SiteSearch {
     int parts = (mesh.size() + shift + PART - 1) / PART;
     IntStream.range(0, parts).parallel().forEach(p -> task.accept(part(p, p * PART - shift)));
     passes++;
-    report(0.15 * passes, mesh.unsatisfied());
+    report(0.15 * passes, mesh.unmet());
   }
 
   private PartSearch part(int index, int from) {

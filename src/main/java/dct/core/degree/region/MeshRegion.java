@@ -79,7 +79,7 @@ final class MeshRegion {
     }
     before = 0;
     for (int i = 0; i < 3; i++) {
-      before += mesh.isUnsatisfied(ring[i]) ? 1 : 0;
+      before += mesh.isUnmet(ring[i]) ? 1 : 0;
     }
     size = 3;
     take(t, ring[0], ring[1], ring[2]);
@@ -133,7 +133,7 @@ final class MeshRegion {
     if (!isMine(apex) || contains(apex)) {
       return false;
     }
-    before += mesh.isUnsatisfied(apex) ? 1 : 0;
+    before += mesh.isUnmet(apex) ? 1 : 0;
     size++;
     take(e & ~3, mesh.corner[e], ring[place], apex);
     for (int i = size - 1; i > place + 1; i--) {
@@ -285,7 +285,7 @@ final class MeshRegion {
   private int unmet() {
     int count = 0;
     for (int i = 0; i < size; i++) {
-      count += mesh.isUnsatisfied(ring[i]) ? 1 : 0;
+      count += mesh.isUnmet(ring[i]) ? 1 : 0;
     }
     return count;
   }

@@ -8,13 +8,13 @@ import dct.core.SeededRandom;
  * {@code hi} − 1, an unbroken stretch of the Hilbert curve. Triangles with a corner elsewhere stay,
  * so that parts can be searched at the same time.
  *
- * <p>{@link #sweep} re-solves a region around each unsatisfied vertex. {@link #pairUp} walks each
- * vertex that is left towards another one, or towards one of which nothing is wished, until the two
- * meet and vanish. Neither ever makes the number of unsatisfied vertices larger. A step costs the
- * same whatever the size of the part.
+ * <p>{@link #sweep} re-solves a region around each unmet vertex. {@link #pairUp} walks each vertex
+ * that is left towards another one, or towards one of which nothing is wished, until the two meet
+ * and vanish. Neither ever makes the number of unmet vertices larger. A step costs the same
+ * whatever the size of the part.
  *
  * <p>Two that meet need not vanish: around them the triangles may force a three-colouring of the
- * vertices to turn by a third, which a region without unsatisfied vertices cannot do. Then another
+ * vertices to turn by a third, which a region without unmet vertices cannot do. Then another
  * partner, or the same one reached by another way, will do; so partners are drawn more freely the
  * longer nothing helps.
  */
@@ -37,14 +37,14 @@ public final class PartSearch {
   private final int lo;
   private final int hi;
   private final MeshRegion region;
-  private final VertexList open = new VertexList(); // unsatisfied at the start of a round, in order
-  private final VertexList seen = new VertexList(); // perhaps unsatisfied at its end
-  private int unsatisfied;
+  private final VertexList open = new VertexList(); // unmet at the start of a round, in order
+  private final VertexList seen = new VertexList(); // perhaps unmet at its end
+  private int unmet;
   private int steps;
   private int size = SIZE; // of the regions of a walk
   private int pullBits = PULL_BITS;
   private int noiseBits = NOISE_BITS;
-  private int first; // the unsatisfied vertex of the region nearest to the target, or NONE
+  private int first; // the unmet vertex of the region nearest to the target, or NONE
   private int second; // the one after it, or NONE
 
   public PartSearch(SearchMesh mesh, SeededRandom random, Progress progress, int lo, int hi) {
@@ -60,27 +60,27 @@ public final class PartSearch {
   private void collect() {
     open.clear();
     for (int v = lo; v < hi; v++) {
-      if (mesh.isUnsatisfied(v)) {
+      if (mesh.isUnmet(v)) {
         open.add(v);
       }
     }
-    unsatisfied = open.size();
+    unmet = open.size();
   }
 
-  /** How many vertices of the part are unsatisfied. */
-  public int unsatisfied() {
-    return unsatisfied;
+  /** How many vertices of the part are unmet. */
+  public int unmet() {
+    return unmet;
   }
 
   /**
-   * Re-solves a region around each vertex that is unsatisfied when its turn comes, as long as more
-   * than {@code enough} are.
+   * Re-solves a region around each vertex that is unmet when its turn comes, as long as more than
+   * {@code enough} are.
    */
   public void sweep(int enough) {
-    for (int v = lo; v < hi && unsatisfied > enough && !isOver(); v++) {
-      if (mesh.isUnsatisfied(v) && region.open(mesh.halfEdgeAt(v, random))) {
+    for (int v = lo; v < hi && unmet > enough && !isOver(); v++) {
+      if (mesh.isUnmet(v) && region.open(mesh.halfEdgeAt(v, random))) {
         region.grow(SIZE, TRIES);
-        unsatisfied += region.fill(SWEEP_NOISE_BITS);
+        unmet += region.fill(SWEEP_NOISE_BITS);
       }
     }
   }
@@ -90,31 +90,31 @@ public final class PartSearch {
   }
 
   /**
-   * Walks unsatisfied vertices towards each other, round by round, until no more than {@code
-   * enough} are left or {@code patience} rounds in a row have not helped.
+   * Walks unmet vertices towards each other, round by round, until no more than {@code enough} are
+   * left or {@code patience} rounds in a row have not helped.
    */
   public void pairUp(int enough, int patience) {
     collect();
     int idle = 0;
-    while (unsatisfied > enough && idle < patience && !progress.isCancelled()) {
-      int before = unsatisfied;
+    while (unmet > enough && idle < patience && !progress.isCancelled()) {
+      int before = unmet;
       round(enough, idle);
-      idle = unsatisfied < before ? 0 : idle + 1;
+      idle = unmet < before ? 0 : idle + 1;
     }
   }
 
   private void round(int enough, int idle) {
     seen.clear();
-    for (int q = 0; q < open.size() && unsatisfied > enough && !isOver(); q++) {
+    for (int q = 0; q < open.size() && unmet > enough && !isOver(); q++) {
       int v = open.get(q);
-      int partner = mesh.isUnsatisfied(v) ? partner(q, idle) : SearchMesh.NONE;
+      int partner = mesh.isUnmet(v) ? partner(q, idle) : SearchMesh.NONE;
       if (partner != SearchMesh.NONE) {
         vary(idle);
         walk(v, partner);
       }
     }
     seen.addAll(open);
-    open.setUnsatisfied(seen, mesh);
+    open.setUnmet(seen, mesh);
   }
 
   /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */
@@ -142,7 +142,7 @@ public final class PartSearch {
 
   private int anyPartner(int q) {
     int u = open.get(random.nextInt(open.size()));
-    return u != open.get(q) && mesh.isUnsatisfied(u) ? u : SearchMesh.NONE;
+    return u != open.get(q) && mesh.isUnmet(u) ? u : SearchMesh.NONE;
   }
 
   private int nearestPartner(int q, boolean roughly) {
@@ -153,7 +153,7 @@ public final class PartSearch {
     int last = Math.min(open.size() - 1, q + NEIGHBOURS);
     for (int i = Math.max(0, q - NEIGHBOURS); i <= last; i++) {
       int u = open.get(i);
-      if (u != v && mesh.isUnsatisfied(u)) {
+      if (u != v && mesh.isUnmet(u)) {
         double factor = roughly ? 0.1 + random.nextDouble() : 1;
         double distance = factor * mesh.squaredDistance(u, v);
         if (distance < least) {
@@ -165,7 +165,7 @@ public final class PartSearch {
     return nearest;
   }
 
-  /** Moves an unsatisfied vertex towards a target, until some vanish or it comes no nearer. */
+  /** Moves an unmet vertex towards a target, until some vanish or it comes no nearer. */
   private void walk(int from, int to) {
     int v = from;
     int target = to;
@@ -191,19 +191,19 @@ public final class PartSearch {
     if (region.open(mesh.halfEdgeAt(v, random))) {
       region.growTowards(target, size, TRIES);
       change = region.fillTowards(target, 1 << pullBits, noiseBits);
-      unsatisfied += change;
+      unmet += change;
     }
     rank(target);
     return change;
   }
 
-  /** Finds the two unsatisfied vertices of the region nearest to the target, and notes them all. */
+  /** Finds the two unmet vertices of the region nearest to the target, and notes them all. */
   private void rank(int target) {
     first = SearchMesh.NONE;
     second = SearchMesh.NONE;
     for (int i = 0; i < region.size(); i++) {
       int w = region.vertex(i);
-      if (mesh.isUnsatisfied(w)) {
+      if (mesh.isUnmet(w)) {
         seen.add(w);
         if (isNearer(w, first, target)) {
           second = first;

@@ -53,7 +53,7 @@ public final class PolygonImprover {
     SeededRandom random = new SeededRandom(limits.seed());
     int most = REGION_SIZES[REGION_SIZES.length - 1];
     MeshRegion region = new MeshRegion(mesh, random, progress, most, 0, mesh.size());
-    int unmet = mesh.unsatisfied();
+    int unmet = mesh.unmet();
     for (int size : REGION_SIZES) {
       int idle = 0;
       while (idle < IDLE_ROUNDS * limits.effort()) {
@@ -71,7 +71,7 @@ public final class PolygonImprover {
   private int round(SearchMesh mesh, MeshRegion region, SeededRandom random, int size) {
     int change = 0;
     for (int v = 0; v < mesh.size(); v++) {
-      if (mesh.isUnsatisfied(v)) {
+      if (mesh.isUnmet(v)) {
         progress.report((double) v / mesh.size(), "Improving pieces of " + size + " vertices");
         progress.checkCancelled();
         region.open(mesh.halfEdgeAt(v, random));

@@ -103,16 +103,16 @@ public final class SearchMesh {
     return (e & ~3) | ((0b010010 >> ((e & 3) << 1)) & 3);
   }
 
-  /** Whether v counts as unsatisfied. */
-  public boolean isUnsatisfied(int v) {
+  /** Whether v counts as unmet. */
+  public boolean isUnmet(int v) {
     return wrong[v] != 0 && weight[v] != 0;
   }
 
-  /** How many vertices are unsatisfied, in linear time. */
-  public int unsatisfied() {
+  /** How many vertices are unmet, in linear time. */
+  public int unmet() {
     int count = 0;
     for (int v = 0; v < wrong.length; v++) {
-      count += isUnsatisfied(v) ? 1 : 0;
+      count += isUnmet(v) ? 1 : 0;
     }
     return count;
   }

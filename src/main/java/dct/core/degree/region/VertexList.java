@@ -46,13 +46,13 @@ public final class VertexList {
     }
   }
 
-  /** The vertices of that list which are unsatisfied, in order, each once; sorts that list. */
-  void setUnsatisfied(VertexList that, SearchMesh mesh) {
+  /** The vertices of that list which are unmet, in order, each once; sorts that list. */
+  void setUnmet(VertexList that, SearchMesh mesh) {
     Arrays.sort(that.items, 0, that.size);
     clear();
     for (int i = 0; i < that.size; i++) {
       int v = that.items[i];
-      if (mesh.isUnsatisfied(v) && (size == 0 || items[size - 1] != v)) {
+      if (mesh.isUnmet(v) && (size == 0 || items[size - 1] != v)) {
         add(v);
       }
     }

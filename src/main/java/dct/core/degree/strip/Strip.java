@@ -95,7 +95,7 @@ final class Strip {
     unmet = 0;
     for (int r = 0; r < vertex.length; r++) {
       wrong[r] = mesh.wrong[vertex[r]];
-      unmet += mesh.isUnsatisfied(vertex[r]) ? 1 : 0;
+      unmet += mesh.isUnmet(vertex[r]) ? 1 : 0;
     }
     triangles.stream().flatMap(t -> Arrays.stream(mesh.corner, t, t + 3)).forEach(this::turn);
   }

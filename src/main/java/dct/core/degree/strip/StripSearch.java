@@ -53,7 +53,7 @@ public final class StripSearch {
   }
 
   private void collect() {
-    open = IntStream.range(0, mesh.size()).filter(mesh::isUnsatisfied).toArray();
+    open = IntStream.range(0, mesh.size()).filter(mesh::isUnmet).toArray();
   }
 
   /**

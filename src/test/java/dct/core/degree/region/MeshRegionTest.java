@@ -27,12 +27,12 @@ class MeshRegionTest {
   void an_example() {
     SearchMesh mesh = mesh(delaunay(SiteShape.UNIFORM, 60, 1));
     MeshRegion region = region(mesh, Progress.NONE, 10);
-    int before = mesh.unsatisfied();
+    int before = mesh.unmet();
     region.open(mesh.out[30]);
     region.grow(10, 3);
     int change = region.fill(4);
     assertThat(change).isLessThanOrEqualTo(0);
-    assertThat(mesh.unsatisfied()).isEqualTo(before + change);
+    assertThat(mesh.unmet()).isEqualTo(before + change);
   }
 
   private static Triangulation delaunay(SiteShape shape, int n, long seed) {
@@ -69,7 +69,7 @@ class MeshRegionTest {
   private static void solveEverywhere(SearchMesh mesh) {
     SeededRandom random = new SeededRandom(8);
     MeshRegion region = region(mesh, Progress.NONE, 120);
-    int unmet = mesh.unsatisfied();
+    int unmet = mesh.unmet();
     for (int step = 0; step < 60; step++) {
       int v = random.nextInt(mesh.size());
       assertThat(region.open(mesh.halfEdgeAt(v, random))).isTrue();
@@ -77,7 +77,7 @@ class MeshRegionTest {
       int change = region.fill(4);
       unmet += change;
       assertThat(change).isLessThanOrEqualTo(0);
-      assertThat(mesh.unsatisfied()).isEqualTo(unmet);
+      assertThat(mesh.unmet()).isEqualTo(unmet);
     }
   }
 
@@ -101,7 +101,7 @@ class MeshRegionTest {
     SimplePolygon polygon = PolygonShape.TWO_OPT.generate(500, 1);
     Triangulation start = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
     SearchMesh mesh = mesh(start);
-    int before = mesh.unsatisfied();
+    int before = mesh.unmet();
     Progress cancelled =
         new Progress() {
           @Override
@@ -117,7 +117,7 @@ class MeshRegionTest {
     region.grow(200, 20);
     assertThat(region.size()).isGreaterThan(RegionTable.MOST);
     assertThatThrownBy(() -> region.fill(4)).isInstanceOf(CancellationException.class);
-    assertThat(mesh.unsatisfied()).isEqualTo(before);
+    assertThat(mesh.unmet()).isEqualTo(before);
     assertThat(mesh.toTriangulation(start)).isTriangulationOf(polygon);
   }
 }

@@ -61,7 +61,7 @@ class SweepBeamTest {
     int[] moves = beam.search(mesh.size(), clock);
     assertThat(moves).as("seed %d", seed).isNotEmpty();
     strip.fill(moves);
-    assertThat(mesh.unsatisfied()).as("seed %d", seed).isEqualTo(beam.unmet());
+    assertThat(mesh.unmet()).as("seed %d", seed).isEqualTo(beam.unmet());
     return mesh.toTriangulation(start);
   }
 
@@ -91,7 +91,7 @@ class SweepBeamTest {
     SearchMesh mesh = new SearchMesh(start, goal, 1, clock);
     Strip strip = new Strip(mesh);
     for (int seed = 0; seed < 300; seed++) {
-      int before = mesh.unsatisfied();
+      int before = mesh.unmet();
       SeededRandom choices = new SeededRandom(seed);
       int[] sizes = IntStream.range(0, 4).map(i -> choices.nextInt(9)).toArray();
       Strip.Shape shape = new Strip.Shape(seed % 4, sizes[0], sizes[1], sizes[2], sizes[3]);
@@ -103,9 +103,9 @@ class SweepBeamTest {
       }
       int gain = moves.length > 0 ? strip.unmet() - beam.unmet() : 0;
       assertThat(gain).as("seed %d", seed).isNotNegative();
-      assertThat(mesh.unsatisfied()).as("seed %d", seed).isEqualTo(before - gain);
+      assertThat(mesh.unmet()).as("seed %d", seed).isEqualTo(before - gain);
     }
-    assertThat(mesh.unsatisfied()).isLessThan(goal.unsatisfied(start));
+    assertThat(mesh.unmet()).isLessThan(goal.unsatisfied(start));
     TriangulationAssert.assertThat(mesh.toTriangulation(start))
         .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
   }
