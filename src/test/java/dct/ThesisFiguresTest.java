@@ -130,7 +130,7 @@ class ThesisFiguresTest {
   }
 
   private static Points points(String name) {
-    return PointFile.read(Path.of("samples", name + ".txt")).points();
+    return PointFile.read(Path.of("samples", name + ".txt"), Progress.NONE).points();
   }
 
   /** The triangulation of a polygon by these diagonals. */

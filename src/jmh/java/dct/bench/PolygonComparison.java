@@ -83,7 +83,7 @@ final class PolygonComparison {
     }
     for (Path file : files) {
       SimplePolygon polygon =
-          SimplePolygon.of(walked(PointFile.read(file).points()), Progress.NONE);
+          SimplePolygon.of(walked(PointFile.read(file, Progress.NONE).points()), Progress.NONE);
       String name = String.valueOf(file.getFileName()).replace(".txt", "");
       String[] all = new String[contenders(polygon).size()];
       table.row("%s %,d".formatted(name, polygon.size()), contest(polygon, all));

@@ -1,5 +1,6 @@
 package dct.bench;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.PolygonShape;
@@ -40,10 +41,11 @@ final class ProgramTable {
 
   private void print(Path folder) throws CannotWriteException {
     Path ten = folder.resolve("ten_polygonbased.txt");
-    PointFile.write(ten, Domain.POLYGON, PolygonShape.STAR_SHAPED.generate(10, 1).points());
+    PointFile.write(
+        ten, Domain.POLYGON, PolygonShape.STAR_SHAPED.generate(10, 1).points(), Progress.NONE);
     Path many = folder.resolve("many_pointbased.txt");
     double[][] sites = SiteFamily.UNIFORM.make(MANY);
-    PointFile.write(many, Domain.SITES, Points.of(sites[0], sites[1]));
+    PointFile.write(many, Domain.SITES, Points.of(sites[0], sites[1]), Progress.NONE);
     out.println("\n## The program as a process\n");
     out.println("| what | figure |");
     out.println("|---|---:|");

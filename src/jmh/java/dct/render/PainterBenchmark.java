@@ -67,7 +67,8 @@ public class PainterBenchmark {
   /** Draws everything in sight into pixels, as the canvas does in the background. */
   @Benchmark
   public BufferedImage frame(Drawing drawing, Zoom zoom) {
-    SceneRaster.draw(drawing.scene, zoom.view(drawing.scene), Theme.LIGHT, 1, zoom.image);
+    SceneRaster.draw(
+        drawing.scene, zoom.view(drawing.scene), Theme.LIGHT, 1, zoom.image, Progress.NONE);
     return zoom.image;
   }
 

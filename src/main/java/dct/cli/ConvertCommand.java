@@ -27,7 +27,7 @@ final class ConvertCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
-    PointDocument document = input.read();
+    PointDocument document = input.read(Progress.NONE);
     document.checkOneRing();
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);

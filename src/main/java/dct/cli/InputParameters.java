@@ -44,13 +44,13 @@ final class InputParameters {
   }
 
   /** Reads the input; what it is declared to be is what was asked for, if anything was. */
-  PointDocument read() throws IOException {
+  PointDocument read(Progress progress) throws IOException {
     Optional<Domain> asked = asked();
     String input = name();
     PointDocument document =
         input.equals(Verb.STANDARD_STREAM)
             ? PointFile.read(input, console.in())
-            : PointFile.read(path(input));
+            : PointFile.read(path(input), progress);
     return asked.isPresent() ? document.declared(asked.get()) : document;
   }
 
@@ -60,7 +60,7 @@ final class InputParameters {
    * @throws BadInputException if they are not usable
    */
   Instance instance(Progress progress) throws IOException {
-    return read().instance(progress).named(name());
+    return read(progress).instance(progress).named(name());
   }
 
   /**

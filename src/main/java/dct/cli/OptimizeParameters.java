@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
 import dct.io.BadInputException;
@@ -73,7 +74,7 @@ final class OptimizeParameters {
     return switch (word) {
       case "even" -> ParityGoal.allEven(n);
       case "odd" -> ParityGoal.allOdd(n);
-      default -> WishFile.read(wishFile(word), n);
+      default -> WishFile.read(wishFile(word), n, Progress.NONE);
     };
   }
 

@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.OffFile;
 import dct.io.PointDocument;
@@ -28,10 +29,10 @@ final class PointOutput {
     }
     Path file = Path.of(output);
     switch (Verb.ending(output)) {
-      case TXT -> PointFile.write(file, document);
-      case JSON -> ResultJson.write(file, document);
-      case OFF -> OffFile.write(file, document.points());
-      default -> PictureFile.write(scene(document), file);
+      case TXT -> PointFile.write(file, document, Progress.NONE);
+      case JSON -> ResultJson.write(file, document, Progress.NONE);
+      case OFF -> OffFile.write(file, document.points(), Progress.NONE);
+      default -> PictureFile.write(scene(document), file, Progress.NONE);
     }
   }
 

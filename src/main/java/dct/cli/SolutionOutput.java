@@ -1,5 +1,6 @@
 package dct.cli;
 
+import dct.core.Progress;
 import dct.io.OffFile;
 import dct.io.PointFile;
 import dct.io.ResultJson;
@@ -31,10 +32,10 @@ final class SolutionOutput {
     Path file = Path.of(output);
     Instance instance = solution.instance();
     switch (Verb.ending(output)) {
-      case TXT -> PointFile.write(file, instance.domain(), instance.points());
-      case JSON -> ResultJson.write(file, solution, millis);
-      case OFF -> OffFile.write(file, solution.triangulation());
-      default -> PictureFile.write(Scene.of(solution), file);
+      case TXT -> PointFile.write(file, instance.domain(), instance.points(), Progress.NONE);
+      case JSON -> ResultJson.write(file, solution, millis, Progress.NONE);
+      case OFF -> OffFile.write(file, solution.triangulation(), Progress.NONE);
+      default -> PictureFile.write(Scene.of(solution), file, Progress.NONE);
     }
   }
 }

@@ -146,7 +146,8 @@ final class StudyParameters {
   private Map<String, Instance.OfPolygon> polygonFiles() {
     Map<String, Instance.OfPolygon> polygons = new LinkedHashMap<>();
     for (String name : fileNames()) {
-      polygons.put(name, PointFile.read(InputParameters.path(name)).polygon(Progress.NONE));
+      polygons.put(
+          name, PointFile.read(InputParameters.path(name), Progress.NONE).polygon(Progress.NONE));
     }
     return polygons;
   }

@@ -58,7 +58,7 @@ final class VerifyCommand extends Verb {
     Claims claims =
         name.equals(STANDARD_STREAM)
             ? ResultJson.read(name, console().in())
-            : ResultJson.read(InputParameters.path(name));
+            : ResultJson.read(InputParameters.path(name), Progress.NONE);
     Verdict verdict = Verifier.verify(claims, input(claims), Progress.NONE);
     if (isSet(json)) {
       console().print(json(name, verdict).toString());
@@ -77,7 +77,7 @@ final class VerifyCommand extends Verb {
     if (file == null) {
       return Optional.empty();
     }
-    PointDocument document = PointFile.read(InputParameters.path(file));
+    PointDocument document = PointFile.read(InputParameters.path(file), Progress.NONE);
     return Optional.of(
         (document.declared().isEmpty()
                 ? claims.domain().map(document::declared).orElse(document)

@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Progress;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -43,23 +44,28 @@ public final class AtomicFile {
 
   private final Path typed;
   private final Path target;
+  private final Progress progress;
 
-  private AtomicFile(Path typed, Path target) {
+  private AtomicFile(Path typed, Path target, Progress progress) {
     this.typed = typed;
     this.target = target;
+    this.progress = progress;
   }
 
   /**
    * Writes the content to the file, replacing what is there.
    *
+   * @param progress is asked before each block
    * @throws CannotWriteException if that failed; nothing is changed then
+   * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
-  public static void write(Path file, Content content) throws CannotWriteException {
+  public static void write(Path file, Progress progress, Content content)
+      throws CannotWriteException {
     try {
       if (isDevice(file)) {
-        writeDirectly(file, content);
+        writeDirectly(file, progress, content);
       } else {
-        new AtomicFile(file, behindLinks(file)).write(content);
+        new AtomicFile(file, behindLinks(file), progress).write(content);
       }
     } catch (CannotWriteException e) {
       throw e;
@@ -72,11 +78,16 @@ public final class AtomicFile {
     return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
 
-  private static void writeDirectly(Path device, Content content) throws IOException {
+  private static void writeDirectly(Path device, Progress progress, Content content)
+      throws IOException {
     try (OutputStream out =
-        new BufferedOutputStream(Files.newOutputStream(device, StandardOpenOption.WRITE))) {
+        buffered(Files.newOutputStream(device, StandardOpenOption.WRITE), progress)) {
       content.writeTo(out);
     }
+  }
+
+  private static OutputStream buffered(OutputStream out, Progress progress) {
+    return new BufferedOutputStream(ProgressStreams.writing(out, progress), 1 << 16);
   }
 
   /** Follows symbolic links, the last of which may lead to a file that is not there yet. */
@@ -118,8 +129,8 @@ public final class AtomicFile {
     forceFolder();
   }
 
-  private static void fill(FileChannel channel, Content content) throws IOException {
-    OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);
+  private void fill(FileChannel channel, Content content) throws IOException {
+    OutputStream out = buffered(Channels.newOutputStream(channel), progress);
     content.writeTo(out);
     out.flush();
     channel.force(true);

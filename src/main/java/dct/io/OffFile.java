@@ -1,6 +1,7 @@
 package dct.io;
 
 import dct.core.Decimals;
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Triangulation;
 import java.io.IOException;
@@ -22,8 +23,10 @@ public final class OffFile {
    *
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
-  public static void write(Path file, Triangulation triangulation) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, triangulation.points(), triangulation.triangles()));
+  public static void write(Path file, Triangulation triangulation, Progress progress)
+      throws CannotWriteException {
+    AtomicFile.write(
+        file, progress, out -> write(out, triangulation.points(), triangulation.triangles()));
   }
 
   /**
@@ -31,8 +34,9 @@ public final class OffFile {
    *
    * @throws CannotWriteException if writing failed; nothing is changed then
    */
-  public static void write(Path file, Points points) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, points, new int[0]));
+  public static void write(Path file, Points points, Progress progress)
+      throws CannotWriteException {
+    AtomicFile.write(file, progress, out -> write(out, points, new int[0]));
   }
 
   private static void write(OutputStream out, Points points, int[] triangles) throws IOException {

@@ -1,6 +1,7 @@
 package dct.io;
 
 import dct.core.Decimals;
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import java.io.BufferedInputStream;
@@ -27,10 +28,11 @@ public final class PointFile {
    * Reads the file that {@link FileNames#forOpening} leads to.
    *
    * @throws BadInputException if there is none, or it holds no points
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static PointDocument read(Path typed) {
+  public static PointDocument read(Path typed, Progress progress) {
     Path file = FileNames.forOpening(typed);
-    PointDocument document = open(file, PointFile::read);
+    PointDocument document = open(file, progress, PointFile::read);
     return FileNames.domain(file).map(document::declared).orElse(document);
   }
 
@@ -41,7 +43,7 @@ public final class PointFile {
   }
 
   /** Opens a file and says in one sentence why that failed. */
-  static <T> T open(Path file, StreamReader<T> reader) {
+  static <T> T open(Path file, Progress progress, StreamReader<T> reader) {
     String name = file.toString();
     if (Files.isDirectory(file)) {
       throw new BadInputException(name, 0, "this is a folder; name a file in it");
@@ -50,7 +52,7 @@ public final class PointFile {
       throw new BadInputException(name, 0, "there is no such file; check its name and folder");
     }
     try (InputStream in = Files.newInputStream(file)) {
-      return reader.read(name, in);
+      return reader.read(name, ProgressStreams.reading(in, Files.size(file), progress));
     } catch (AccessDeniedException e) {
       throw new BadInputException(name, 0, "the file may not be read; change its permissions");
     } catch (IOException e) {
@@ -107,23 +109,28 @@ public final class PointFile {
    * @param file written as named; see {@link FileNames#forSaving}
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, Domain domain, Points points) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, head(file, Optional.of(domain)), points));
+  public static void write(Path file, Domain domain, Points points, Progress progress)
+      throws CannotWriteException {
+    String head = head(file, Optional.of(domain));
+    AtomicFile.write(file, progress, out -> write(out, head, points, progress));
   }
 
   /** Writes the points of a document, and of what domain it is said to be, in the same way. */
-  public static void write(Path file, PointDocument document) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, head(file, document.declared()), document.points()));
+  public static void write(Path file, PointDocument document, Progress progress)
+      throws CannotWriteException {
+    String head = head(file, document.declared());
+    AtomicFile.write(file, progress, out -> write(out, head, document.points(), progress));
   }
 
   /** Writes points as text to a stream, behind a comment that says what they are. */
   public static void write(OutputStream out, Domain domain, Points points) throws IOException {
-    write(out, kindLine(domain), points);
+    write(out, kindLine(domain), points, Progress.NONE);
   }
 
   /** Writes the points of a document as text to a stream. */
   public static void write(OutputStream out, PointDocument document) throws IOException {
-    write(out, document.declared().map(PointFile::kindLine).orElse(""), document.points());
+    String head = document.declared().map(PointFile::kindLine).orElse("");
+    write(out, head, document.points(), Progress.NONE);
   }
 
   private static String head(Path file, Optional<Domain> domain) {
@@ -134,9 +141,11 @@ public final class PointFile {
     return VertexText.kindLine(domain) + "\n";
   }
 
-  private static void write(OutputStream out, String head, Points points) throws IOException {
+  private static void write(OutputStream out, String head, Points points, Progress progress)
+      throws IOException {
     StringBuilder text = new StringBuilder(head);
     for (int i = 0; i < points.size(); i++) {
+      Progress.tick(progress, i, points.size(), "Writing");
       Decimals.append(text, points.x(i));
       text.append(i == 0 && TextLayout.looksLikeCounts(points) ? ".0 " : " ");
       Decimals.append(text, points.y(i));

@@ -3,6 +3,7 @@ package dct.io;
 import com.google.gson.FormattingStyle;
 import com.google.gson.stream.JsonWriter;
 import dct.core.Decimals;
+import dct.core.Progress;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.degree.SearchLimits;
@@ -73,9 +74,9 @@ public final class ResultJson {
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, Solution solution, Optional<Millis> millis)
+  public static void write(Path file, Solution solution, Optional<Millis> millis, Progress progress)
       throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, solution, millis));
+    AtomicFile.write(file, progress, out -> write(out, solution, millis));
   }
 
   /** Writes the whole result to a stream. */
@@ -98,8 +99,9 @@ public final class ResultJson {
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, PointDocument document) throws CannotWriteException {
-    AtomicFile.write(file, out -> write(out, document));
+  public static void write(Path file, PointDocument document, Progress progress)
+      throws CannotWriteException {
+    AtomicFile.write(file, progress, out -> write(out, document));
   }
 
   /** Writes the points of a document, and of what domain it is said to be, to a stream. */
@@ -119,8 +121,8 @@ public final class ResultJson {
    *
    * @throws BadInputException if there is none in the file
    */
-  public static Claims read(Path file) {
-    return PointFile.open(file, ResultJson::read);
+  public static Claims read(Path file, Progress progress) {
+    return PointFile.open(file, progress, ResultJson::read);
   }
 
   /**

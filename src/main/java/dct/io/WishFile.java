@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import java.io.BufferedReader;
@@ -28,8 +29,8 @@ public final class WishFile {
    * @throws BadInputException if the file cannot be read, a line is not of that form, or a vertex
    *     does not exist
    */
-  public static ParityGoal read(Path file, int n) {
-    return PointFile.open(file, (name, in) -> read(name, in, n));
+  public static ParityGoal read(Path file, int n, Progress progress) {
+    return PointFile.open(file, progress, (name, in) -> read(name, in, n));
   }
 
   /**
@@ -37,7 +38,8 @@ public final class WishFile {
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(Path file, ParityGoal goal) throws CannotWriteException {
+  public static void write(Path file, ParityGoal goal, Progress progress)
+      throws CannotWriteException {
     StringBuilder lines = new StringBuilder();
     for (int v = 0; v < goal.size(); v++) {
       if (goal.wish(v) != Wish.EVEN) {
@@ -45,7 +47,7 @@ public final class WishFile {
       }
     }
     byte[] bytes = lines.toString().getBytes(StandardCharsets.UTF_8);
-    AtomicFile.write(file, out -> out.write(bytes));
+    AtomicFile.write(file, progress, out -> out.write(bytes));
   }
 
   private static ParityGoal read(String name, InputStream in, int n) throws IOException {

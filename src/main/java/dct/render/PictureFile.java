@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Progress;
 import dct.core.geometry.Box;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
@@ -31,9 +32,10 @@ public final class PictureFile {
    *
    * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
+   * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
-  public static void write(Scene scene, Path file) throws CannotWriteException {
-    write(scene, fitted(scene), WIDTH, HEIGHT, file);
+  public static void write(Scene scene, Path file, Progress progress) throws CannotWriteException {
+    write(scene, fitted(scene), WIDTH, HEIGHT, file, progress);
   }
 
   /**
@@ -41,11 +43,14 @@ public final class PictureFile {
    *
    * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
+   * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
-  public static void write(Scene scene, Viewport view, int width, int height, Path file)
+  public static void write(
+      Scene scene, Viewport view, int width, int height, Path file, Progress progress)
       throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    AtomicFile.write(file, out -> write(scene, view, width, height, ending, out));
+    Picture picture = new Picture(scene, view, width, height, progress);
+    AtomicFile.write(file, progress, out -> picture.write(ending, out));
   }
 
   /** The viewport of a picture of the whole scene. */
@@ -53,57 +58,68 @@ public final class PictureFile {
     return ScenePainter.fitted(scene, WIDTH, HEIGHT, false);
   }
 
-  private static void write(
-      Scene scene, Viewport view, int width, int height, FileEnding ending, OutputStream out)
-      throws IOException {
-    switch (ending) {
-      case PNG -> ImageIO.write(image(scene, view, width, height), "png", out);
-      case SVG -> write(svg(scene, view, width, height), out);
-      case PDF -> PdfPage.write(width, height, g -> draw(scene, view, width, height, g), out);
-      case IPE -> write(ipe(scene, view, width, height), out);
-      case TEX -> write(tex(scene, view, width, height), out);
-      default -> throw new IllegalArgumentException(ending + " is no picture");
+  /**
+   * What is to be seen in a picture, and who is asked whether to go on drawing it.
+   *
+   * @param width of the picture, as {@code height} in pixels
+   */
+  record Picture(Scene scene, Viewport view, int width, int height, Progress progress) {
+
+    void write(FileEnding ending, OutputStream out) throws IOException {
+      switch (ending) {
+        case PNG -> ImageIO.write(image(), "png", out);
+        case SVG -> write(svg(), out);
+        case PDF -> PdfPage.write(width, height, this::draw, out);
+        case IPE -> write(ipe(), out);
+        case TEX -> write(tex(), out);
+        default -> throw new IllegalArgumentException(ending + " is no picture");
+      }
     }
-  }
 
-  private static void write(String text, OutputStream out) throws IOException {
-    out.write(text.getBytes(StandardCharsets.UTF_8));
-  }
+    private static void write(String text, OutputStream out) throws IOException {
+      out.write(text.getBytes(StandardCharsets.UTF_8));
+    }
 
-  private static void draw(Scene scene, Viewport view, int width, int height, Graphics2D graphics) {
-    GraphicsPen pen = new GraphicsPen(graphics, THEME);
-    pen.ground(width, height);
-    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
-  }
+    private void paint(Pen pen) {
+      ScenePainter.paint(scene, view, new Box(0, 0, width, height), new ProgressPen(pen, progress));
+    }
 
-  /** The scene as an image, smoothed. */
-  static BufferedImage image(Scene scene, Viewport view, int width, int height) {
-    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-    SceneRaster.draw(scene, view, THEME, 1, image);
-    Graphics2D graphics = image.createGraphics();
-    ScenePainter.paintCounts(scene, new Box(0, 0, width, height), new GraphicsPen(graphics, THEME));
-    graphics.dispose();
-    return image;
-  }
+    private void draw(Graphics2D graphics) {
+      GraphicsPen pen = new GraphicsPen(graphics, THEME);
+      pen.ground(width, height);
+      paint(pen);
+    }
 
-  /** The scene as an SVG document. */
-  static String svg(Scene scene, Viewport view, int width, int height) {
-    SvgPen pen = new SvgPen(width, height, THEME);
-    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
-    return pen.finish();
-  }
+    /** An image, smoothed. */
+    BufferedImage image() {
+      BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+      SceneRaster.draw(scene, view, THEME, 1, image, progress);
+      Graphics2D graphics = image.createGraphics();
+      ScenePainter.paintCounts(
+          scene, new Box(0, 0, width, height), new GraphicsPen(graphics, THEME));
+      graphics.dispose();
+      return image;
+    }
 
-  /** The scene as a document of Ipe. */
-  static String ipe(Scene scene, Viewport view, int width, int height) {
-    IpePen pen = new IpePen(width, height, THEME);
-    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
-    return pen.finish();
-  }
+    /** An SVG document. */
+    String svg() {
+      SvgPen pen = new SvgPen(width, height, THEME);
+      paint(pen);
+      return pen.finish();
+    }
 
-  /** The scene as a LaTeX document. */
-  static String tex(Scene scene, Viewport view, int width, int height) {
-    TikzPen pen = new TikzPen(width, height, THEME);
-    ScenePainter.paint(scene, view, new Box(0, 0, width, height), pen);
-    return pen.finish();
+    /** A document of Ipe. */
+    String ipe() {
+      IpePen pen = new IpePen(width, height, THEME);
+      paint(pen);
+      return pen.finish();
+    }
+
+    /** A LaTeX document. */
+    String tex() {
+      TikzPen pen = new TikzPen(width, height, THEME);
+      paint(pen);
+      return pen.finish();
+    }
   }
 }

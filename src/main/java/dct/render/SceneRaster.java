@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Progress;
 import dct.core.geometry.Box;
 import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
@@ -16,17 +17,23 @@ public final class SceneRaster {
    *
    * @param scale pixels of the image per pixel of the viewport's screen
    * @param image of type {@link BufferedImage#TYPE_INT_RGB}
+   * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static void draw(
-      Scene scene, Viewport view, Theme theme, double scale, BufferedImage image) {
+      Scene scene,
+      Viewport view,
+      Theme theme,
+      double scale,
+      BufferedImage image,
+      Progress progress) {
     int cores = Runtime.getRuntime().availableProcessors();
     int parts = scene.points().size() <= SMALL ? 1 : Math.min(cores, image.getHeight());
     IntStream.range(0, parts)
         .parallel()
-        .forEach(part -> drawRows(scene, view, theme, scale, image, part, parts));
+        .forEach(part -> drawRows(scene, view, theme, scale, image, part, parts, progress));
     RasterPen whole = new RasterPen(image, 0, image.getHeight(), scale, theme);
     Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
-    ScenePainter.paintLabels(scene, view, screen, whole);
+    ScenePainter.paintLabels(scene, view, screen, new ProgressPen(whole, progress));
   }
 
   private static void drawRows(
@@ -36,12 +43,13 @@ public final class SceneRaster {
       double scale,
       BufferedImage image,
       int part,
-      int parts) {
+      int parts,
+      Progress progress) {
     int top = (int) ((long) image.getHeight() * part / parts);
     int bottom = (int) ((long) image.getHeight() * (part + 1) / parts);
     RasterPen pen = new RasterPen(image, top, bottom, scale, theme);
     pen.ground();
     Box rows = new Box(0, top / scale, image.getWidth() / scale, bottom / scale);
-    ScenePainter.paintShapes(scene, view, rows, pen);
+    ScenePainter.paintShapes(scene, view, rows, new ProgressPen(pen, progress));
   }
 }

@@ -76,7 +76,7 @@ final class FileWork {
   }
 
   private static Read read(Path typed, Domain otherwise, Progress progress) {
-    PointDocument read = PointFile.read(typed);
+    PointDocument read = PointFile.read(typed, progress);
     Domain domain = read.declared().orElse(otherwise);
     Instance instance = read.declared(domain).instance(progress);
     String name = FileNames.forOpening(typed).getFileName().toString();
@@ -190,7 +190,7 @@ final class FileWork {
         .jobs()
         .write(
             "Saving " + file.getFileName(),
-            progress -> write(file, document),
+            progress -> write(file, document, progress),
             written -> {
               editor.saved(document, written);
               workbench.say("Saved " + written);
@@ -198,9 +198,9 @@ final class FileWork {
             });
   }
 
-  private static Path write(Path file, Document document) {
+  private static Path write(Path file, Document document, Progress progress) {
     try {
-      PointFile.write(file, document.domain(), document.points());
+      PointFile.write(file, document.domain(), document.points(), progress);
       return file;
     } catch (CannotWriteException e) {
       throw new UncheckedIOException(e);

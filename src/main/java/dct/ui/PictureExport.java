@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.core.Progress;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
@@ -32,7 +33,7 @@ final class PictureExport {
         Dimension size = canvas.getSize();
         jobs.write(
             "Exporting " + file.getFileName(),
-            progress -> write(scene, view, size, file),
+            progress -> write(scene, view, size, file, progress),
             written -> {});
       }
     }
@@ -42,9 +43,10 @@ final class PictureExport {
     return FileEnding.PNG.orElseOn(typed, Content.PICTURE);
   }
 
-  private static Path write(Scene scene, Viewport view, Dimension size, Path file) {
+  private static Path write(
+      Scene scene, Viewport view, Dimension size, Path file, Progress progress) {
     try {
-      PictureFile.write(scene, view, size.width, size.height, file);
+      PictureFile.write(scene, view, size.width, size.height, file, progress);
       return file;
     } catch (CannotWriteException e) {
       throw new UncheckedIOException(e);

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.io.CannotWriteException;
@@ -94,7 +95,7 @@ final class WishWork {
                 .jobs()
                 .read(
                     "Reading " + path.getFileName(),
-                    progress -> WishFile.read(path, document.size()),
+                    progress -> WishFile.read(path, document.size(), progress),
                     wishes -> loaded(editor, document, wishes, optimizer)));
   }
 
@@ -125,16 +126,16 @@ final class WishWork {
         .jobs()
         .write(
             "Saving " + file.getFileName(),
-            progress -> write(file, document.wishes()),
+            progress -> write(file, document.wishes(), progress),
             written -> {
               editor.wishesSaved(document);
               workbench.say("Saved " + written);
             });
   }
 
-  private static Path write(Path file, ParityGoal wishes) {
+  private static Path write(Path file, ParityGoal wishes, Progress progress) {
     try {
-      WishFile.write(file, wishes);
+      WishFile.write(file, wishes, progress);
       return file;
     } catch (CannotWriteException e) {
       throw new UncheckedIOException(e);

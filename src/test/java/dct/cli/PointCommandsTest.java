@@ -2,6 +2,7 @@ package dct.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.RandomSites;
@@ -34,7 +35,7 @@ class PointCommandsTest {
         CliRun.of("generate", "points", "-n", 50, "--seed", 7, "-o", file, "-o", json).done();
     assertThat(run.out()).isEmpty();
     for (Path written : new Path[] {file, json}) {
-      PointDocument document = PointFile.read(written);
+      PointDocument document = PointFile.read(written, Progress.NONE);
       assertThat(document.points()).isEqualTo(RandomSites.uniform(50, 7));
       assertThat(document.declared()).contains(Domain.SITES);
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dct.core.Progress;
 import dct.testing.ProgramProcess;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -33,7 +34,7 @@ class AtomicFileTest {
   @Test
   void writes_a_new_file_and_nothing_else() throws IOException {
     Path file = folder.resolve("new.txt");
-    AtomicFile.write(file, text("1 2\n"));
+    AtomicFile.write(file, Progress.NONE, text("1 2\n"));
     assertThat(file).hasContent("1 2\n");
     assertThat(names()).containsExactly("new.txt");
   }
@@ -42,7 +43,7 @@ class AtomicFileTest {
   void replaces_a_file_and_keeps_its_permissions() throws IOException {
     Path file = Files.writeString(folder.resolve("old.txt"), "old");
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
-    AtomicFile.write(file, text("new"));
+    AtomicFile.write(file, Progress.NONE, text("new"));
     assertThat(file).hasContent("new");
     assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
         .isEqualTo("rw-r-----");
@@ -53,8 +54,8 @@ class AtomicFileTest {
     Path file = Files.writeString(folder.resolve("file.txt"), "old");
     Path link = Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("file.txt"));
     Path dangling = Files.createSymbolicLink(folder.resolve("ahead.txt"), Path.of("later.txt"));
-    AtomicFile.write(link, text("new"));
-    AtomicFile.write(dangling, text("made"));
+    AtomicFile.write(link, Progress.NONE, text("new"));
+    AtomicFile.write(dangling, Progress.NONE, text("made"));
     assertThat(link).isSymbolicLink();
     assertThat(file).hasContent("new");
     assertThat(dangling).isSymbolicLink();
@@ -68,6 +69,7 @@ class AtomicFileTest {
             () ->
                 AtomicFile.write(
                     file,
+                    Progress.NONE,
                     out -> {
                       out.write(new byte[1 << 20]);
                       throw new IOException("No space left on device");
@@ -88,6 +90,7 @@ class AtomicFileTest {
             () ->
                 AtomicFile.write(
                     file,
+                    Progress.NONE,
                     out -> {
                       throw new IllegalStateException();
                     }))
@@ -130,7 +133,7 @@ class AtomicFileTest {
   }
 
   private void assertRefused(Path file, String reason) {
-    assertThatThrownBy(() -> AtomicFile.write(file, text("1 2\n")))
+    assertThatThrownBy(() -> AtomicFile.write(file, Progress.NONE, text("1 2\n")))
         .isInstanceOf(CannotWriteException.class)
         .hasMessage(
             "%s: cannot be written, %s; nothing was changed, choose another place"
@@ -143,7 +146,7 @@ class AtomicFileTest {
       Files.writeString(folder.resolve(".dct-" + UUID.randomUUID() + ".tmp"), "half");
     }
     Files.writeString(folder.resolve(".dct-note.tmp"), "not ours");
-    AtomicFile.write(folder.resolve("a.txt"), text("1 2\n"));
+    AtomicFile.write(folder.resolve("a.txt"), Progress.NONE, text("1 2\n"));
     assertThat(names()).containsExactly(".dct-note.tmp", "a.txt");
   }
 
@@ -152,9 +155,10 @@ class AtomicFileTest {
     Path outer = folder.resolve("outer.txt");
     AtomicFile.write(
         outer,
+        Progress.NONE,
         out -> {
           out.write('1');
-          AtomicFile.write(folder.resolve("inner.txt"), text("2"));
+          AtomicFile.write(folder.resolve("inner.txt"), Progress.NONE, text("2"));
           out.write('3');
         });
     assertThat(outer).hasContent("13");
@@ -173,11 +177,11 @@ class AtomicFileTest {
                 live.toString())
             .start();
     assertThat(process.getInputStream().read()).as("it holds the lease").isEqualTo('.');
-    AtomicFile.write(folder.resolve("a.txt"), text("1"));
+    AtomicFile.write(folder.resolve("a.txt"), Progress.NONE, text("1"));
     assertThat(names()).containsExactly(live.getFileName().toString(), "a.txt");
     process.destroyForcibly();
     process.waitFor();
-    AtomicFile.write(folder.resolve("a.txt"), text("2"));
+    AtomicFile.write(folder.resolve("a.txt"), Progress.NONE, text("2"));
     assertThat(names()).containsExactly("a.txt");
   }
 

@@ -3,6 +3,7 @@ package dct.io;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import dct.core.Progress;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -142,7 +143,8 @@ class BadTextTest {
   }
 
   private static String openingFault(Path file) {
-    return catchThrowableOfType(BadInputException.class, () -> PointFile.read(file)).getMessage();
+    return catchThrowableOfType(BadInputException.class, () -> PointFile.read(file, Progress.NONE))
+        .getMessage();
   }
 
   @Test

@@ -22,7 +22,7 @@ class OffFileTest {
     Triangulation triangulation =
         Delaunay.triangulate(Sites.of(points, Progress.NONE), Progress.NONE);
     Path file = folder.resolve("t.off");
-    OffFile.write(file, triangulation);
+    OffFile.write(file, triangulation, Progress.NONE);
     int[] t = triangulation.triangles();
     List<String> expected =
         new ArrayList<>(
@@ -36,7 +36,7 @@ class OffFileTest {
   @Test
   void pointsAloneHaveNoFaces(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("p.off");
-    OffFile.write(file, points);
+    OffFile.write(file, points, Progress.NONE);
     assertThat(Files.readAllLines(file)).hasSize(6).element(1).isEqualTo("4 0 0");
   }
 }

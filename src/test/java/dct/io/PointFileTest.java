@@ -3,6 +3,7 @@ package dct.io;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
@@ -80,8 +81,8 @@ class PointFileTest {
             Points.ofPairs(3, 1, 0, 1, 1, 2, 2, 0, 0, 2),
             Points.ofPairs(0, 1, 2.5, 2.5, 1.5, 3.5))) {
       Path file = folder.resolve("x_polygonbased.txt");
-      PointFile.write(file, Domain.POLYGON, points);
-      assertThat(PointFile.read(file).points()).isEqualTo(points);
+      PointFile.write(file, Domain.POLYGON, points, Progress.NONE);
+      assertThat(PointFile.read(file, Progress.NONE).points()).isEqualTo(points);
     }
   }
 
@@ -126,8 +127,8 @@ class PointFileTest {
     assertThat(read("# kind: something\n0 0\n").declared()).isEmpty();
     Path file = folder.resolve("x" + FileNames.suffix(domain) + ".txt");
     Files.writeString(file, "0 0\n");
-    assertThat(PointFile.read(file).declared()).contains(domain);
-    assertThat(PointFile.read(folder.resolve("x")).declared()).contains(domain);
+    assertThat(PointFile.read(file, Progress.NONE).declared()).contains(domain);
+    assertThat(PointFile.read(folder.resolve("x"), Progress.NONE).declared()).contains(domain);
   }
 
   @ParameterizedTest
@@ -135,8 +136,8 @@ class PointFileTest {
   void writes_what_it_reads(Domain domain, @TempDir Path folder) throws IOException {
     for (String name : new String[] {"x" + FileNames.suffix(domain) + ".txt", "x.txt"}) {
       Path file = folder.resolve(name);
-      PointFile.write(file, domain, TRIANGLE);
-      PointDocument document = PointFile.read(file);
+      PointFile.write(file, domain, TRIANGLE, Progress.NONE);
+      PointDocument document = PointFile.read(file, Progress.NONE);
       assertThat(document.points()).isEqualTo(TRIANGLE);
       assertThat(document.declared()).contains(domain);
     }
@@ -150,8 +151,8 @@ class PointFileTest {
   void writes_and_reads_many_points(@TempDir Path folder) throws IOException {
     Points many = RandomSites.uniform(100_000, 3);
     Path file = folder.resolve("many_pointbased.txt");
-    PointFile.write(file, Domain.SITES, many);
-    assertThat(PointFile.read(file).points()).isEqualTo(many);
+    PointFile.write(file, Domain.SITES, many, Progress.NONE);
+    assertThat(PointFile.read(file, Progress.NONE).points()).isEqualTo(many);
   }
 
   @Test

@@ -94,8 +94,8 @@ class ResultJsonTest {
   void reads_back_what_it_writes(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("result.json");
     Triangulation written = square().triangulation();
-    ResultJson.write(file, square(), MILLIS);
-    Claims stored = ResultJson.read(file);
+    ResultJson.write(file, square(), MILLIS, Progress.NONE);
+    Claims stored = ResultJson.read(file, Progress.NONE);
     assertThat(stored.points()).isEqualTo(SQUARE);
     assertThat(stored.domain()).contains(Domain.POLYGON);
     assertThat(stored.text("algorithm")).contains("monotone");
@@ -107,18 +107,18 @@ class ResultJsonTest {
     assertThat(stored.edges().to(0)).isEqualTo(written.to(0));
     assertThat(stored.edges().kind(0)).isEqualTo(EdgeKind.BOUNDARY);
     assertThat(stored.edges().line(0)).isEqualTo(6);
-    assertThat(PointFile.read(file).points()).isEqualTo(SQUARE);
-    assertThat(PointFile.read(file).declared()).contains(Domain.POLYGON);
+    assertThat(PointFile.read(file, Progress.NONE).points()).isEqualTo(SQUARE);
+    assertThat(PointFile.read(file, Progress.NONE).declared()).contains(Domain.POLYGON);
   }
 
   @Test
   void points_alone_come_back_with_their_kind_and_lines(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("points.json");
-    ResultJson.write(file, PointDocument.of("x", Domain.SITES, SQUARE));
+    ResultJson.write(file, PointDocument.of("x", Domain.SITES, SQUARE), Progress.NONE);
     assertThat(file)
         .hasContent(
             "{\"kind\": \"points\", \"points\": [\n[0, 0],\n[10, 0],\n[10, 0.5],\n[0, 1e30]]}");
-    PointDocument document = PointFile.read(file);
+    PointDocument document = PointFile.read(file, Progress.NONE);
     assertThat(document.points()).isEqualTo(SQUARE);
     assertThat(document.declared()).contains(Domain.SITES);
     assertThat(document.line(2)).isEqualTo(4);
@@ -132,9 +132,10 @@ class ResultJsonTest {
       })
   void json_is_told_by_content(String text, @TempDir Path folder) throws IOException {
     Path file = Files.writeString(folder.resolve("points.txt"), text);
-    assertThat(PointFile.read(file).points()).isEqualTo(Points.ofPairs(0, 0, 1, 0, 0, 1));
-    assertThat(PointFile.read(file).declared()).isEmpty();
-    assertThat(ResultJson.read(file).hasEdges()).isFalse();
+    assertThat(PointFile.read(file, Progress.NONE).points())
+        .isEqualTo(Points.ofPairs(0, 0, 1, 0, 0, 1));
+    assertThat(PointFile.read(file, Progress.NONE).declared()).isEmpty();
+    assertThat(ResultJson.read(file, Progress.NONE).hasEdges()).isFalse();
   }
 
   @ParameterizedTest

@@ -3,6 +3,7 @@ package dct.io;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import java.nio.file.Files;
@@ -20,8 +21,10 @@ class WishFileTest {
     Path file = folder.resolve("wishes.txt");
     for (long seed = 0; seed < 30; seed++) {
       ParityGoal goal = random(seed);
-      WishFile.write(file, goal);
-      assertThat(WishFile.read(file, goal.size())).as("seed %d", seed).isEqualTo(goal);
+      WishFile.write(file, goal, Progress.NONE);
+      assertThat(WishFile.read(file, goal.size(), Progress.NONE))
+          .as("seed %d", seed)
+          .isEqualTo(goal);
     }
   }
 
@@ -37,7 +40,7 @@ class WishFileTest {
   @Test
   void onlyWhatIsNotEvenIsWritten() throws Exception {
     Path file = folder.resolve("wishes.txt");
-    WishFile.write(file, ParityGoal.of(Wish.EVEN, Wish.ODD, Wish.EVEN, Wish.ANY));
+    WishFile.write(file, ParityGoal.of(Wish.EVEN, Wish.ODD, Wish.EVEN, Wish.ANY), Progress.NONE);
     assertThat(Files.readString(file)).isEqualTo("1 odd\n3 any\n");
   }
 
@@ -45,7 +48,7 @@ class WishFileTest {
   void aLineThatIsNoWishIsNamed() throws Exception {
     Path file = folder.resolve("wishes.txt");
     Files.writeString(file, "1 odd\n2 strange\n");
-    assertThatThrownBy(() -> WishFile.read(file, 5))
+    assertThatThrownBy(() -> WishFile.read(file, 5, Progress.NONE))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining(":2: this is no wish for a vertex");
   }

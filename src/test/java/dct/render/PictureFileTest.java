@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dct.core.Progress;
+import dct.render.PictureFile.Picture;
 import java.awt.image.BufferedImage;
 import java.io.StringReader;
 import java.nio.file.Files;
@@ -24,7 +26,7 @@ class PictureFileTest {
   @Test
   void pngShowsEachColourWhereItBelongs(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.png");
-    PictureFile.write(scene, file);
+    PictureFile.write(scene, file, Progress.NONE);
     BufferedImage image = ImageIO.read(file.toFile());
     assertThat(image.getWidth()).isEqualTo(1000);
     assertThat(image.getHeight()).isEqualTo(700);
@@ -50,7 +52,7 @@ class PictureFileTest {
 
   @Test
   void svgIsValidAndHoldsOneElementAShape() throws Exception {
-    Document svg = parse(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700));
+    Document svg = parse(picture().svg());
     assertThat(svg.getElementsByTagName("line").getLength()).isEqualTo(7);
     int discs = svg.getElementsByTagName("circle").getLength();
     int squares = svg.getElementsByTagName("rect").getLength() - 2; // without grounds
@@ -62,7 +64,7 @@ class PictureFileTest {
 
   @Test
   void svgNamesTheColoursOfItsGroups() throws Exception {
-    Document svg = parse(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700));
+    Document svg = parse(picture().svg());
     NodeList groups = svg.getElementsByTagName("g");
     for (int i = 0; i < groups.getLength(); i++) {
       Element group = (Element) groups.item(i);
@@ -75,7 +77,7 @@ class PictureFileTest {
 
   @Test
   void ipeIsValidAndTurnsUpsideDown() throws Exception {
-    Document ipe = parse(PictureFile.ipe(scene, PictureFile.fitted(scene), 1000, 700));
+    Document ipe = parse(picture().ipe());
     NodeList paths = ipe.getElementsByTagName("path");
     assertThat(paths.getLength()).isEqualTo(7 + 5 + 1); // edges, vertices, ground of the counts
     NodeList texts = ipe.getElementsByTagName("text");
@@ -86,7 +88,7 @@ class PictureFileTest {
 
   @Test
   void tikzDrawsEveryEdgeAndVertexInNamedColours() {
-    String tex = PictureFile.tex(scene, PictureFile.fitted(scene), 1000, 700);
+    String tex = picture().tex();
     assertThat(tex.lines().filter(line -> line.contains(" -- "))).hasSize(7);
     assertThat(tex.lines().filter(line -> line.startsWith("\\fill[even]"))).hasSize(3);
     assertThat(tex.lines().filter(line -> line.startsWith("\\fill[odd]"))).hasSize(2);
@@ -98,8 +100,8 @@ class PictureFileTest {
   void pdfIsOnePageAndAlwaysTheSame(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.pdf");
     Path again = folder.resolve("again.pdf");
-    PictureFile.write(scene, file);
-    PictureFile.write(scene, again);
+    PictureFile.write(scene, file, Progress.NONE);
+    PictureFile.write(scene, again, Progress.NONE);
     assertThat(again).hasSameBinaryContentAs(file);
     try (var document = org.apache.pdfbox.Loader.loadPDF(file.toFile())) {
       assertThat(document.getNumberOfPages()).isEqualTo(1);
@@ -115,14 +117,12 @@ class PictureFileTest {
 
   @Test
   void svgNumbersHaveAPointInEveryLocale() throws Exception {
-    String here = PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700);
+    String here = picture().svg();
     Locale old = Locale.getDefault();
     try {
       for (String tag : new String[] {"de-DE", "ar-EG-u-nu-arab", "hi-IN-u-nu-deva"}) {
         Locale.setDefault(Locale.forLanguageTag(tag));
-        assertThat(PictureFile.svg(scene, PictureFile.fitted(scene), 1000, 700))
-            .as(tag)
-            .isEqualTo(here);
+        assertThat(picture().svg()).as(tag).isEqualTo(here);
       }
     } finally {
       Locale.setDefault(old);
@@ -142,7 +142,7 @@ class PictureFileTest {
   @Test
   void anEndingThatIsNoPictureIsRefused(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.bmp");
-    assertThatThrownBy(() -> PictureFile.write(scene, file))
+    assertThatThrownBy(() -> PictureFile.write(scene, file, Progress.NONE))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining(".png");
     assertThat(Files.exists(file)).isFalse();
@@ -151,7 +151,7 @@ class PictureFileTest {
   @Test
   void theEndingMayBeInCapitals(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("PICTURE.SVG");
-    PictureFile.write(scene, file);
+    PictureFile.write(scene, file, Progress.NONE);
     assertThat(Files.readString(file)).startsWith("<?xml");
   }
 
@@ -159,5 +159,9 @@ class PictureFileTest {
     return DocumentBuilderFactory.newInstance()
         .newDocumentBuilder()
         .parse(new InputSource(new StringReader(svg)));
+  }
+
+  private Picture picture() {
+    return new Picture(scene, PictureFile.fitted(scene), 1000, 700, Progress.NONE);
   }
 }

@@ -29,7 +29,7 @@ class SceneRasterTest {
     Scene scene = Scene.of(delaunay(3000));
     Viewport view = ScenePainter.fitted(scene, WIDTH / scale, HEIGHT / scale, false);
     BufferedImage parts = image();
-    SceneRaster.draw(scene, view, Theme.LIGHT, scale, parts);
+    SceneRaster.draw(scene, view, Theme.LIGHT, scale, parts, Progress.NONE);
     BufferedImage whole = image();
     RasterPen pen = new RasterPen(whole, 0, HEIGHT, scale, Theme.LIGHT);
     pen.ground();

@@ -2,6 +2,7 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
@@ -71,7 +72,7 @@ class FilesWindowTest extends WindowTest {
   @Test
   void openSwitchesToTheApplicationOfTheFile() throws Exception {
     Path sites = folder.resolve("a_pointbased.txt");
-    PointFile.write(sites, Domain.SITES, TRIANGLE);
+    PointFile.write(sites, Domain.SITES, TRIANGLE, Progress.NONE);
     choose("Polygon Based");
     open(sites);
     frame.radioButton("Point Sites Based").requireSelected();
@@ -169,7 +170,7 @@ class FilesWindowTest extends WindowTest {
   @Test
   void openAsksBeforeChangesAreLost() throws Exception {
     Path other = folder.resolve("other_polygonbased.txt");
-    PointFile.write(other, Domain.POLYGON, Points.ofPairs(10, 10, 90, 10, 50, 80));
+    PointFile.write(other, Domain.POLYGON, Points.ofPairs(10, 10, 90, 10, 50, 80), Progress.NONE);
     drawTriangle();
     open(other);
     JOptionPaneFixture dialog = dialog();
@@ -309,7 +310,7 @@ class FilesWindowTest extends WindowTest {
   @Test
   void wishesAreNotLostWithoutAQuestion() throws Exception {
     Path file = folder.resolve("a_polygonbased.txt");
-    PointFile.write(file, Domain.POLYGON, TRIANGLE);
+    PointFile.write(file, Domain.POLYGON, TRIANGLE, Progress.NONE);
     open(file);
     type(KeyEvent.VK_W);
     clickAt(100, 100);

@@ -1,5 +1,6 @@
 package dct.experiment.study;
 
+import dct.core.Progress;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
@@ -59,6 +60,6 @@ public record StudyExport(Study study, List<StudyRow> rows, boolean times) {
   }
 
   private static void text(Path file, String text) throws CannotWriteException {
-    AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    AtomicFile.write(file, Progress.NONE, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
   }
 }

@@ -1,5 +1,6 @@
 package dct.experiment.study;
 
+import dct.core.Progress;
 import dct.io.AtomicFile;
 import dct.io.BadInputException;
 import dct.io.CannotWriteException;
@@ -146,6 +147,6 @@ public final class StudyFile implements Closeable {
   }
 
   private void write(String text) throws CannotWriteException {
-    AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    AtomicFile.write(file, Progress.NONE, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
   }
 }

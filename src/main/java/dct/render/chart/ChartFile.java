@@ -1,5 +1,6 @@
 package dct.render.chart;
 
+import dct.core.Progress;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
@@ -31,7 +32,7 @@ public final class ChartFile {
    */
   public static void write(Chart chart, Path file) throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.CHART);
-    AtomicFile.write(file, out -> write(chart, ending, out));
+    AtomicFile.write(file, Progress.NONE, out -> write(chart, ending, out));
   }
 
   private static void write(Chart chart, FileEnding ending, OutputStream out) throws IOException {

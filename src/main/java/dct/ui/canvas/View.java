@@ -1,5 +1,6 @@
 package dct.ui.canvas;
 
+import dct.core.Progress;
 import dct.render.Scene;
 import dct.render.SceneRaster;
 import dct.render.Theme;
@@ -21,7 +22,7 @@ record View(Scene scene, Viewport viewport, Theme theme, Dimension size, double 
 
   /** The picture, drawn into an image of {@link #width} by {@link #height}. */
   void draw(BufferedImage image) {
-    SceneRaster.draw(scene, viewport, theme, pixels, image);
+    SceneRaster.draw(scene, viewport, theme, pixels, image, Progress.NONE);
   }
 
   /** The width of the picture on the screen. */
