@@ -81,9 +81,9 @@ final class StudyParameters {
       throw new UsageException("the study of points takes no files, leave them out");
     }
     List<String> known = SiteShape.words();
-    List<String> usual = List.of(PointsStudy.UNIFORM);
+    List<String> usual = List.of(ThesisTable.SHAPE);
     return new PointsStudy(
-        plan(known, usual, ThesisTable.sizes(), SiteShape.MOST, PointsStudy.SETS));
+        plan(known, usual, ThesisTable.sizes(), SiteShape.MOST, ThesisTable.SETS));
   }
 
   private Study polygons() throws IOException {

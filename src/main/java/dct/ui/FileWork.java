@@ -8,6 +8,7 @@ import dct.io.FileNames;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.problem.Instance;
+import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import java.io.UncheckedIOException;
@@ -40,6 +41,12 @@ final class FileWork {
     this.window = window;
     this.workbench = workbench;
     this.shown = shown;
+  }
+
+  /** Writes what this canvas shows to a picture that the user names. */
+  void exportPicture(CanvasPanel canvas) {
+    String name = workbench.active().map(Editor::name).orElse("canvas");
+    PictureExport.ask(window, canvas, name, workbench.jobs());
   }
 
   /** The folder of the file that was opened or saved last. */

@@ -6,15 +6,17 @@ import dct.io.FileEnding.Content;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
+import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 
 /** The menu bar of the main window. */
 final class MainMenu {
-  private final MainWindow window;
+  private final JFrame window;
   private final CanvasPanel canvas;
   private final FileWork files;
   private final MainCommands commands;
@@ -22,7 +24,7 @@ final class MainMenu {
   private final List<CommandMenu> menus;
 
   MainMenu(
-      MainWindow window,
+      JFrame window,
       CanvasPanel canvas,
       FileWork files,
       MainCommands commands,
@@ -56,11 +58,14 @@ final class MainMenu {
                 "Export Picture",
                 "ctrl E",
                 "Writes what is seen to a picture: " + FileEnding.list(Content.PICTURE),
-                () ->
-                    PictureExport.ask(
-                        window, canvas, window.documentName(), window.workbench().jobs())))
+                () -> files.exportPicture(canvas)))
         .line()
-        .with(command("Exit", "ctrl Q", "Closes the application", window::exit));
+        .with(command("Exit", "ctrl Q", "Closes the application", this::close));
+  }
+
+  /** Closes the window as its close button does, which asks first. */
+  private void close() {
+    window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
   }
 
   private static Command command(String name, String key, String description, Runnable run) {

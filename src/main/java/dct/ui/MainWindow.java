@@ -45,14 +45,14 @@ public final class MainWindow extends JFrame {
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs()::cancelCurrent);
-    polygons = new PolygonResults(workbench, this);
+    polygons = new PolygonResults(workbench, this, canvas);
     SitesWork sites = new SitesWork(this, workbench, canvas::showWell);
     files = new FileWork(this, workbench, this::showOpened);
     WishWork wishes = new WishWork(this, workbench, files::folder);
     RandomPolygon random = new RandomPolygon(this, workbench, canvas::showWell);
     commands = new MainCommands(workbench, polygons, sites, random, wishes);
     east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
-    studies = new StudyWork(this);
+    studies = new StudyWork(this, canvas, workbench.jobs());
     MainMenu menu = new MainMenu(this, canvas, files, commands, studies);
     setJMenuBar(menu.bar());
     layOut();
@@ -164,11 +164,6 @@ public final class MainWindow extends JFrame {
         .active()
         .map(e -> (e.history().isChanged() ? "*" : "") + e.name() + " – " + PROGRAM)
         .orElse(PROGRAM);
-  }
-
-  /** What the document is called. */
-  String documentName() {
-    return workbench.active().map(Editor::name).orElse("canvas");
   }
 
   private void showOpened() {

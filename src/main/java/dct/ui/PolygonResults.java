@@ -8,6 +8,7 @@ import dct.core.triangulate.Domain;
 import dct.problem.Method;
 import dct.problem.Solution;
 import dct.render.Scene;
+import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import java.util.ArrayList;
@@ -22,7 +23,8 @@ import javax.swing.JFrame;
  */
 final class PolygonResults {
   private final Workbench workbench;
-  private final MainWindow owner;
+  private final JFrame owner;
+  private final CanvasPanel canvas;
   private final List<JFrame> frames = new ArrayList<>();
   private Method method = Method.byDefault(Domain.POLYGON);
   private Latest latest; // null before the first
@@ -37,9 +39,15 @@ final class PolygonResults {
     }
   }
 
-  PolygonResults(Workbench workbench, MainWindow owner) {
+  /**
+   * Results of a window.
+   *
+   * @param canvas the one whose labels new frames show
+   */
+  PolygonResults(Workbench workbench, JFrame owner, CanvasPanel canvas) {
     this.workbench = workbench;
     this.owner = owner;
+    this.canvas = canvas;
   }
 
   /** Shows the polygon triangulated by this method. */
@@ -114,7 +122,7 @@ final class PolygonResults {
     Editor editor = workbench.editor(Domain.POLYGON);
     ResultFrame frame =
         new ResultFrame(
-            title, editor.name(), result.scene, owner.canvas().labels(), workbench.jobs());
+            title, editor.name(), result.scene, canvas.labels(), workbench.jobs());
     Placement.beside(frame, beside, owner, frames.size());
     if (beside != owner) {
       beside.toFront(); // so that old and new can be compared

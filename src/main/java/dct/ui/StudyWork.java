@@ -2,8 +2,10 @@ package dct.ui;
 
 import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyPicture;
+import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
+import dct.ui.job.Jobs;
 import dct.ui.study.StudyDialog;
 import dct.ui.study.StudyHost;
 import dct.ui.study.StudyKind;
@@ -20,12 +22,22 @@ import javax.swing.JFrame;
 
 /** The menu Study: a dialog for each study, and frames for the pictures of its rows. */
 final class StudyWork implements StudyHost {
-  private final MainWindow owner;
+  private final JFrame owner;
+  private final CanvasPanel canvas;
+  private final Jobs jobs;
   private final Map<StudyKind, StudyDialog> dialogs = new EnumMap<>(StudyKind.class);
   private final List<JFrame> frames = new ArrayList<>();
 
-  StudyWork(MainWindow owner) {
+  /**
+   * Studies of a window.
+   *
+   * @param canvas the one whose labels the pictures show
+   * @param jobs write pictures that are exported
+   */
+  StudyWork(JFrame owner, CanvasPanel canvas, Jobs jobs) {
     this.owner = owner;
+    this.canvas = canvas;
+    this.jobs = jobs;
   }
 
   /** The menu. */
@@ -48,12 +60,7 @@ final class StudyWork implements StudyHost {
     Window beside = owner;
     for (StudyPicture picture : pictures) {
       ResultFrame frame =
-          new ResultFrame(
-              picture.method(),
-              name,
-              picture.scene(),
-              owner.canvas().labels(),
-              owner.workbench().jobs());
+          new ResultFrame(picture.method(), name, picture.scene(), canvas.labels(), jobs);
       Placement.beside(frame, beside, owner, frames.size());
       frames.add(frame);
       frame.setVisible(true);

@@ -38,15 +38,15 @@ final class PointsCharts {
         "even vertices, %",
         List.of(),
         List.of(
-            shares("Best", Look.VIOLET, PointsStudy.BEST),
-            shares("Scan-Flip repeated", Look.GREEN, PointsStudy.REPEATED),
-            shares("Scan-Flip", Look.BLUE, PointsStudy.AFTER),
+            shares("Best", Look.VIOLET, StudyRow.BEST),
+            shares("Scan-Flip repeated", Look.GREEN, PointsColumns.REPEATED),
+            shares("Scan-Flip", Look.BLUE, PointsColumns.AFTER),
             Groups.overKeys(
                 "thesis: Scan-Flip",
                 Look.ORANGE,
                 thesis,
                 (ThesisTable.Row row) -> 100.0 * row.evenAfter() / row.n()),
-            shares("Delaunay", Look.PALE_BLUE, PointsStudy.BEFORE),
+            shares("Delaunay", Look.PALE_BLUE, PointsColumns.BEFORE),
             Groups.overKeys(
                 "thesis: Delaunay",
                 Look.PALE_ORANGE,
@@ -66,7 +66,7 @@ final class PointsCharts {
         "increase, %",
         List.of(),
         List.of(
-            Groups.overKeys("Scan-Flip", Look.BLUE, bySize, PointsTables::increase),
+            Groups.overKeys("Scan-Flip", Look.BLUE, bySize, PointsColumns::increase),
             Groups.overKeys("thesis: Scan-Flip", Look.ORANGE, thesis, ThesisTable.Row::increase)));
   }
 
@@ -78,10 +78,10 @@ final class PointsCharts {
         "even vertices, %",
         List.copyOf(byShape.keySet()),
         List.of(
-            bars("Delaunay", Look.PALE_BLUE, PointsStudy.BEFORE),
-            bars("Scan-Flip", Look.BLUE, PointsStudy.AFTER),
-            bars("Scan-Flip repeated", Look.GREEN, PointsStudy.REPEATED),
-            bars("Best", Look.VIOLET, PointsStudy.BEST)));
+            bars("Delaunay", Look.PALE_BLUE, PointsColumns.BEFORE),
+            bars("Scan-Flip", Look.BLUE, PointsColumns.AFTER),
+            bars("Scan-Flip repeated", Look.GREEN, PointsColumns.REPEATED),
+            bars("Best", Look.VIOLET, StudyRow.BEST)));
   }
 
   private Chart.Series bars(String name, Look look, String count) {

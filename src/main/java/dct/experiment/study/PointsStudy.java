@@ -21,24 +21,6 @@ import java.util.Map;
  * best triangulation that can be found, beside the most that is not ruled out by a proven bound.
  */
 public final class PointsStudy implements Study {
-  /** The shape of the thesis's sets, as far as it says: random. */
-  public static final String UNIFORM = SiteShape.UNIFORM.word();
-
-  /** The number of sets in the thesis. */
-  public static final int SETS = 5;
-
-  static final String HULL = "hull";
-  static final String BEFORE = "even_before";
-  static final String AFTER = "even_after";
-  static final String FLIPS = "flips";
-  static final String REPEATED = "even_repeated";
-  static final String REPEATED_FLIPS = "repeated_flips";
-  static final String SCANS = "scans";
-  static final String BEST = "even_best";
-  static final String LIMIT = "even_limit";
-
-  private static final List<String> COUNTS =
-      List.of(HULL, BEFORE, AFTER, FLIPS, REPEATED, REPEATED_FLIPS, SCANS, BEST, LIMIT);
   private static final List<String> STEPS = List.of("delaunay", "scan_flip", "repeated", "best");
 
   private final StudyPlan plan;
@@ -60,7 +42,7 @@ public final class PointsStudy implements Study {
 
   @Override
   public List<String> counts() {
-    return COUNTS;
+    return PointsColumns.ALL;
   }
 
   @Override
@@ -84,15 +66,15 @@ public final class PointsStudy implements Study {
     Optimum best = laps.time(STEPS.get(3), () -> best(delaunay, progress).optimum().orElseThrow());
     progress.checkCancelled(); // what a search found until then is no row
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(HULL, delaunay.triangulation().boundaryCount());
-    counts.put(BEFORE, delaunay.counts().even());
-    counts.put(AFTER, once.counts().even());
-    counts.put(FLIPS, flips(once));
-    counts.put(REPEATED, often.last().counts().even());
-    counts.put(REPEATED_FLIPS, often.flips());
-    counts.put(SCANS, often.scans());
-    counts.put(BEST, sites.size() - best.unsatisfied());
-    counts.put(LIMIT, sites.size() - best.bound().value());
+    counts.put(PointsColumns.HULL, delaunay.triangulation().boundaryCount());
+    counts.put(PointsColumns.BEFORE, delaunay.counts().even());
+    counts.put(PointsColumns.AFTER, once.counts().even());
+    counts.put(PointsColumns.FLIPS, flips(once));
+    counts.put(PointsColumns.REPEATED, often.last().counts().even());
+    counts.put(PointsColumns.REPEATED_FLIPS, often.flips());
+    counts.put(PointsColumns.SCANS, often.scans());
+    counts.put(StudyRow.BEST, sites.size() - best.unsatisfied());
+    counts.put(StudyRow.LIMIT, sites.size() - best.bound().value());
     return new StudyRow(trial, counts, laps.millis());
   }
 

@@ -29,7 +29,7 @@ final class PointsTables {
   private Table table44() {
     List<List<String>> cells =
         rows.stream()
-            .filter(row -> row.trial().set() <= PointsStudy.SETS)
+            .filter(row -> row.trial().set() <= ThesisTable.SETS)
             .map(this::cells)
             .toList();
     return new Table(
@@ -67,17 +67,17 @@ final class PointsTables {
     cells.add(trial.shape());
     cells.add(String.valueOf(trial.set()));
     cells.add(String.valueOf(trial.n()));
-    addCounts(cells, trial.n(), row.count(PointsStudy.BEFORE), row.count(PointsStudy.AFTER));
+    addCounts(cells, trial.n(), row.count(PointsColumns.BEFORE), row.count(PointsColumns.AFTER));
     Optional<ThesisTable.Row> printed =
         isThesisShape(trial) ? thesis.row(trial.set(), trial.n()) : Optional.empty();
     printed.ifPresentOrElse(
         p -> addCounts(cells, trial.n(), p.evenBefore(), p.evenAfter()),
         () -> cells.addAll(List.of(NONE, NONE, NONE, NONE, NONE)));
-    cells.add(String.valueOf(row.count(PointsStudy.FLIPS)));
-    cells.add(String.valueOf(row.count(PointsStudy.REPEATED)));
-    cells.add(String.valueOf(row.count(PointsStudy.SCANS)));
-    cells.add(String.valueOf(row.count(PointsStudy.BEST)));
-    cells.add(isProven(row) ? "yes" : "no");
+    cells.add(String.valueOf(row.count(PointsColumns.FLIPS)));
+    cells.add(String.valueOf(row.count(PointsColumns.REPEATED)));
+    cells.add(String.valueOf(row.count(PointsColumns.SCANS)));
+    cells.add(String.valueOf(row.count(StudyRow.BEST)));
+    cells.add(row.isProven() ? "yes" : "no");
     return cells;
   }
 
@@ -94,11 +94,7 @@ final class PointsTables {
   }
 
   private static boolean isThesisShape(Trial trial) {
-    return trial.shape().equals(PointsStudy.UNIFORM);
-  }
-
-  static boolean isProven(StudyRow row) {
-    return row.count(PointsStudy.BEST) == row.count(PointsStudy.LIMIT);
+    return trial.shape().equals(ThesisTable.SHAPE);
   }
 
   private Table means() {
@@ -143,29 +139,23 @@ final class PointsTables {
 
   private List<String> mean(
       String shape, String n, List<StudyRow> mine, List<ThesisTable.Row> theirs) {
-    boolean comparable = shape.equals(PointsStudy.UNIFORM);
+    boolean comparable = shape.equals(ThesisTable.SHAPE);
     List<ThesisTable.Row> printed = comparable ? theirs : List.of();
-    long proven = mine.stream().filter(PointsTables::isProven).count();
+    long proven = mine.stream().filter(StudyRow::isProven).count();
     return Stream.of(
             shape,
             n,
             String.valueOf(mine.size()),
-            words(mine, row -> row.percent(PointsStudy.BEFORE)),
-            words(mine, row -> row.percent(PointsStudy.AFTER)),
-            words(mine, PointsTables::increase),
+            words(mine, row -> row.percent(PointsColumns.BEFORE)),
+            words(mine, row -> row.percent(PointsColumns.AFTER)),
+            words(mine, PointsColumns::increase),
             words(printed, row -> 100.0 * row.evenBefore() / row.n()),
             words(printed, row -> 100.0 * row.evenAfter() / row.n()),
             words(printed, ThesisTable.Row::increase),
-            words(mine, row -> row.percent(PointsStudy.REPEATED)),
-            words(mine, row -> row.percent(PointsStudy.BEST)),
+            words(mine, row -> row.percent(PointsColumns.REPEATED)),
+            words(mine, row -> row.percent(StudyRow.BEST)),
             proven + " of " + mine.size())
         .toList();
-  }
-
-  /** By how much Scan-Flip increased the even vertices, in per cent. */
-  static double increase(StudyRow row) {
-    int before = row.count(PointsStudy.BEFORE);
-    return 100.0 * (row.count(PointsStudy.AFTER) - before) / before;
   }
 
   private static <T> String words(List<T> rows, ToDoubleFunction<T> value) {

@@ -35,7 +35,7 @@ final class PolygonsCharts {
 
   static List<Chart> of(List<StudyRow> rows) {
     PolygonsCharts charts =
-        new PolygonsCharts(rows.stream().filter(row -> !PolygonsStudy.isFile(row)).toList());
+        new PolygonsCharts(rows.stream().filter(row -> !PolygonsColumns.isFile(row)).toList());
     return List.of(charts.shapes(), charts.sizes(), charts.pieces(), charts.reflex());
   }
 
@@ -63,7 +63,7 @@ final class PolygonsCharts {
         2,
         "Even vertices and convex pieces",
         "convex pieces for each vertex",
-        bins(PolygonsTables::pieces));
+        bins(PolygonsColumns::pieces));
   }
 
   private Chart reflex() {
@@ -71,7 +71,7 @@ final class PolygonsCharts {
         3,
         "Even vertices and reflex vertices",
         "share of reflex vertices",
-        bins(PolygonsTables::reflex));
+        bins(PolygonsColumns::reflex));
   }
 
   private Map<Double, List<StudyRow>> bins(ToDoubleFunction<StudyRow> value) {
@@ -99,17 +99,17 @@ final class PolygonsCharts {
 
   private static List<Chart.Series> series(Maker maker) {
     List<Chart.Series> series = new ArrayList<>();
-    for (Method method : PolygonsStudy.METHODS) {
+    for (Method method : PolygonsColumns.METHODS) {
       series.add(
           maker.make(
-              method.algorithm(), PALE.get(method), r -> r.percent(PolygonsStudy.before(method))));
+              method.algorithm(), PALE.get(method), r -> r.percent(PolygonsColumns.before(method))));
       series.add(
           maker.make(
               method.algorithm() + ", Scan-Flip",
               STRONG.get(method),
-              r -> r.percent(PolygonsStudy.after(method))));
+              r -> r.percent(PolygonsColumns.after(method))));
     }
-    series.add(maker.make("Best", Look.VIOLET, row -> row.percent(PolygonsStudy.BEST)));
+    series.add(maker.make("Best", Look.VIOLET, row -> row.percent(StudyRow.BEST)));
     return series;
   }
 }

@@ -30,25 +30,6 @@ public final class PolygonsStudy implements Study {
   /** The number of polygons of each shape and size unless another is asked for. */
   public static final int SETS = 100;
 
-  static final String REFLEX = "reflex";
-  static final String PIECES = "pieces";
-  static final String BEST = "even_best";
-  static final String LIMIT = "even_limit";
-
-  /** The methods that are studied, also with Scan-Flip after them. */
-  static final List<Method> METHODS =
-      List.of(Method.EAR_CLIPPING, Method.MONOTONE, Method.CONVEX_EVEN);
-
-  /** The name of the number of even vertices of a method before Scan-Flip. */
-  static String before(Method method) {
-    return "even_" + method.column();
-  }
-
-  /** The name of the number of even vertices of a method after Scan-Flip. */
-  static String after(Method method) {
-    return before(method) + "_flip";
-  }
-
   private final List<Trial> trials;
   private final Map<Trial, Instance.OfPolygon> files;
 
@@ -77,19 +58,13 @@ public final class PolygonsStudy implements Study {
 
   @Override
   public List<String> counts() {
-    List<String> counts = new ArrayList<>(List.of(REFLEX, PIECES));
-    for (Method method : METHODS) {
-      counts.add(before(method));
-      counts.add(after(method));
-    }
-    counts.addAll(List.of(BEST, LIMIT));
-    return counts;
+    return PolygonsColumns.all();
   }
 
   @Override
   public List<String> steps() {
     List<String> steps = new ArrayList<>(List.of("generate"));
-    METHODS.forEach(method -> steps.add(method.column()));
+    PolygonsColumns.METHODS.forEach(method -> steps.add(method.column()));
     steps.add("best");
     return steps;
   }
@@ -104,17 +79,17 @@ public final class PolygonsStudy implements Study {
     Laps laps = new Laps();
     Instance.OfPolygon instance = laps.time("generate", () -> instance(trial));
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(REFLEX, reflex(instance.polygon()));
-    counts.put(PIECES, pieces(instance.polygon(), progress));
-    for (Method method : METHODS) {
+    counts.put(PolygonsColumns.REFLEX, reflex(instance.polygon()));
+    counts.put(PolygonsColumns.PIECES, pieces(instance.polygon(), progress));
+    for (Method method : PolygonsColumns.METHODS) {
       Solution made = laps.time(method.column(), () -> Solution.of(instance, method, progress));
-      counts.put(before(method), made.counts().even());
-      counts.put(after(method), made.flipped(progress).counts().even());
+      counts.put(PolygonsColumns.before(method), made.counts().even());
+      counts.put(PolygonsColumns.after(method), made.flipped(progress).counts().even());
     }
     Optimum best = laps.time("best", () -> best(instance, progress));
     progress.checkCancelled(); // what a search found until then is no row
-    counts.put(BEST, instance.size() - best.unsatisfied());
-    counts.put(LIMIT, instance.size() - best.bound().value());
+    counts.put(StudyRow.BEST, instance.size() - best.unsatisfied());
+    counts.put(StudyRow.LIMIT, instance.size() - best.bound().value());
     return new StudyRow(trial, counts, laps.millis());
   }
 
@@ -152,11 +127,6 @@ public final class PolygonsStudy implements Study {
         .optimized(SearchLimits.DEFAULT, progress)
         .optimum()
         .orElseThrow();
-  }
-
-  /** Whether the row belongs to a file. */
-  static boolean isFile(StudyRow row) {
-    return row.trial().seed() == 0;
   }
 
   @Override

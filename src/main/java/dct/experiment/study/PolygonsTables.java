@@ -16,21 +16,13 @@ final class PolygonsTables {
 
   /** The means by shape and size, pieces and reflex vertices; the files; the times. */
   static List<Table> of(List<StudyRow> rows) {
-    List<StudyRow> random = rows.stream().filter(row -> !PolygonsStudy.isFile(row)).toList();
+    List<StudyRow> random = rows.stream().filter(row -> !PolygonsColumns.isFile(row)).toList();
     return List.of(
         bySize(random),
-        byShare("Convex pieces for each vertex", random, PolygonsTables::pieces),
-        byShare("Reflex vertices for each vertex", random, PolygonsTables::reflex),
-        files(rows.stream().filter(PolygonsStudy::isFile).toList()),
+        byShare("Convex pieces for each vertex", random, PolygonsColumns::pieces),
+        byShare("Reflex vertices for each vertex", random, PolygonsColumns::reflex),
+        files(rows.stream().filter(PolygonsColumns::isFile).toList()),
         TimesTable.of(rows));
-  }
-
-  static double pieces(StudyRow row) {
-    return row.perVertex(PolygonsStudy.PIECES);
-  }
-
-  static double reflex(StudyRow row) {
-    return row.perVertex(PolygonsStudy.REFLEX);
   }
 
   private static Table bySize(List<StudyRow> rows) {
@@ -50,8 +42,8 @@ final class PolygonsTables {
   private static List<String> sizeCells(String shape, int n, List<StudyRow> group) {
     List<String> cells =
         new ArrayList<>(List.of(shape, String.valueOf(n), String.valueOf(group.size())));
-    cells.add(mean(group, row -> row.count(PolygonsStudy.REFLEX)));
-    cells.add(mean(group, row -> row.count(PolygonsStudy.PIECES)));
+    cells.add(mean(group, row -> row.count(PolygonsColumns.REFLEX)));
+    cells.add(mean(group, row -> row.count(PolygonsColumns.PIECES)));
     addMethods(cells, group);
     return cells;
   }
@@ -62,7 +54,7 @@ final class PolygonsTables {
 
   private static List<String> columns(String... first) {
     List<String> columns = new ArrayList<>(List.of(first));
-    for (Method method : PolygonsStudy.METHODS) {
+    for (Method method : PolygonsColumns.METHODS) {
       columns.addAll(List.of(method.algorithm(), method.algorithm() + ", Scan-Flip"));
     }
     columns.addAll(List.of("Best", "Proven best"));
@@ -70,21 +62,17 @@ final class PolygonsTables {
   }
 
   private static void addMethods(List<String> cells, List<StudyRow> group) {
-    for (Method method : PolygonsStudy.METHODS) {
-      cells.add(share(group, PolygonsStudy.before(method)));
-      cells.add(share(group, PolygonsStudy.after(method)));
+    for (Method method : PolygonsColumns.METHODS) {
+      cells.add(share(group, PolygonsColumns.before(method)));
+      cells.add(share(group, PolygonsColumns.after(method)));
     }
-    cells.add(share(group, PolygonsStudy.BEST));
-    long proven = group.stream().filter(PolygonsTables::isProven).count();
+    cells.add(share(group, StudyRow.BEST));
+    long proven = group.stream().filter(StudyRow::isProven).count();
     cells.add(proven + " of " + group.size());
   }
 
   private static String share(List<StudyRow> group, String count) {
     return Groups.sample(group, row -> row.percent(count)).words();
-  }
-
-  private static boolean isProven(StudyRow row) {
-    return row.count(PolygonsStudy.BEST) == row.count(PolygonsStudy.LIMIT);
   }
 
   private static Table byShare(String what, List<StudyRow> rows, ToDoubleFunction<StudyRow> value) {
@@ -109,8 +97,8 @@ final class PolygonsTables {
       List<String> line = new ArrayList<>();
       line.add(row.trial().shape());
       line.add(String.valueOf(row.trial().n()));
-      line.add(String.valueOf(row.count(PolygonsStudy.REFLEX)));
-      line.add(String.valueOf(row.count(PolygonsStudy.PIECES)));
+      line.add(String.valueOf(row.count(PolygonsColumns.REFLEX)));
+      line.add(String.valueOf(row.count(PolygonsColumns.PIECES)));
       addMethods(line, List.of(row));
       cells.add(line);
     }

@@ -14,6 +14,11 @@ import java.util.Map;
  *     where it was not kept
  */
 public record StudyRow(Trial trial, Map<String, Integer> counts, Map<String, Double> millis) {
+  /** The name of the number of even vertices of the best triangulation found. */
+  static final String BEST = "even_best";
+
+  /** The name of the largest number of even vertices that the bound does not rule out. */
+  static final String LIMIT = "even_limit";
 
   public StudyRow {
     counts = Collections.unmodifiableMap(new LinkedHashMap<>(counts));
@@ -33,6 +38,11 @@ public record StudyRow(Trial trial, Map<String, Integer> counts, Map<String, Dou
   /** The number of this name for each vertex. */
   double perVertex(String name) {
     return (double) count(name) / trial.n();
+  }
+
+  /** Whether no triangulation has more even vertices than the best one found. */
+  boolean isProven() {
+    return count(BEST) == count(LIMIT);
   }
 
   /** This row without its times. */

@@ -1,5 +1,6 @@
 package dct.experiment.study;
 
+import dct.experiment.generate.SiteShape;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -16,6 +17,12 @@ import java.util.Optional;
  * are given as printed.
  */
 public final class ThesisTable {
+  /** The shape of the sets, as far as the thesis says: random. */
+  public static final String SHAPE = SiteShape.UNIFORM.word();
+
+  /** The number of sets of each size. */
+  public static final int SETS = 5;
+
   private static final String RESOURCE = "table-4-4.csv";
 
   /**

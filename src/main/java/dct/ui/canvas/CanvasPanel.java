@@ -26,7 +26,7 @@ import javax.swing.JPanel;
  * Shows a scene through a viewport, and over it what a tool draws and where the mouse is. It knows
  * nothing of documents.
  */
-public final class CanvasPanel extends JPanel {
+public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** The width at first: that of the thesis's canvas. */
   public static final int WIDTH_AT_FIRST = 1000;
 
@@ -50,7 +50,7 @@ public final class CanvasPanel extends JPanel {
     setFocusable(true);
     setPreferredSize(new Dimension(WIDTH_AT_FIRST, HEIGHT_AT_FIRST));
     getAccessibleContext().setAccessibleName("Canvas");
-    new Navigation(this);
+    new Navigation(this, this);
   }
 
   /** Shows another scene, in the same viewport. */
@@ -147,7 +147,12 @@ public final class CanvasPanel extends JPanel {
     }
   }
 
-  /** Zooms with the place under (x, y) kept there. */
+  @Override
+  public void pan(double dx, double dy) {
+    setViewport(viewport.panned(dx, dy));
+  }
+
+  @Override
   public void zoom(double factor, double x, double y) {
     setViewport(viewport.zoomed(factor, x, y));
   }

@@ -7,6 +7,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 
 /**
@@ -16,13 +17,24 @@ import javax.swing.SwingUtilities;
 final class Navigation extends MouseAdapter {
   private static final double ZOOM_STEP = 1.2;
 
-  private final CanvasPanel canvas;
+  /** What moves the picture. */
+  interface Target {
+    /** Moves the picture by so many pixels. */
+    void pan(double dx, double dy);
+
+    /** Scales the picture with the place under (x, y) kept there. */
+    void zoom(double factor, double x, double y);
+  }
+
+  private final JComponent canvas;
+  private final Target target;
   private boolean space;
   private Point grabbed; // null while nothing is panned
   private Cursor cursor;
 
-  Navigation(CanvasPanel canvas) {
+  Navigation(JComponent canvas, Target target) {
     this.canvas = canvas;
+    this.target = target;
     canvas.addMouseListener(this);
     canvas.addMouseMotionListener(this);
     canvas.addMouseWheelListener(this);
@@ -51,7 +63,7 @@ final class Navigation extends MouseAdapter {
   @Override
   public void mouseDragged(MouseEvent e) {
     if (grabbed != null) {
-      canvas.setViewport(canvas.viewport().panned(e.getX() - grabbed.x, e.getY() - grabbed.y));
+      target.pan(e.getX() - grabbed.x, e.getY() - grabbed.y);
       grabbed = e.getPoint();
       e.consume();
     }
@@ -68,7 +80,7 @@ final class Navigation extends MouseAdapter {
 
   @Override
   public void mouseWheelMoved(MouseWheelEvent e) {
-    canvas.zoom(Math.pow(ZOOM_STEP, -e.getPreciseWheelRotation()), e.getX(), e.getY());
+    target.zoom(Math.pow(ZOOM_STEP, -e.getPreciseWheelRotation()), e.getX(), e.getY());
   }
 
   private final class SpaceBar extends KeyAdapter {

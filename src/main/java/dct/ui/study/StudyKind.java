@@ -6,6 +6,7 @@ import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;
+import dct.experiment.study.ThesisTable;
 import java.util.List;
 import java.util.Map;
 
@@ -16,7 +17,7 @@ public enum StudyKind {
       "Point Sites",
       "Table 4.4 again: many sets of sites, and how many of them become even",
       "50-500:50",
-      PointsStudy.SETS,
+      ThesisTable.SETS,
       SiteShape.MOST),
   /** The experiment on polygons. */
   POLYGONS(
@@ -60,7 +61,7 @@ public enum StudyKind {
 
   /** The words of the shapes that are chosen at first. */
   List<String> usualShapes() {
-    return this == POINTS ? List.of(PointsStudy.UNIFORM) : shapes();
+    return this == POINTS ? List.of(ThesisTable.SHAPE) : shapes();
   }
 
   /** The sizes at first, as a user would list them. */

@@ -16,7 +16,7 @@ abstract class VertexTool implements Tool {
   /** What a click beside all vertices did not do. */
   abstract String missed();
 
-  /** Does it. */
+  /** Does to the vertex what this tool is for. */
   abstract void clicked(ToolContext context, int vertex);
 
   @Override

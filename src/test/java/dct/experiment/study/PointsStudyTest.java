@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 class PointsStudyTest {
   private static final Study STUDY =
       new PointsStudy(
-          new StudyPlan(List.of(PointsStudy.UNIFORM), ThesisTable.sizes(), PointsStudy.SETS, 1));
+          new StudyPlan(List.of(ThesisTable.SHAPE), ThesisTable.sizes(), ThesisTable.SETS, 1));
   private static List<StudyRow> rows;
 
   // Not in an initializer: its threads would wait for the class whose lambda they call.
@@ -30,8 +30,8 @@ class PointsStudyTest {
   @Test
   void the_means_are_those_of_the_thesis() {
     assertThat(rows).hasSize(50);
-    assertThat(mean(row -> row.percent(PointsStudy.BEFORE))).isCloseTo(49, within(2.0));
-    assertThat(mean(row -> row.percent(PointsStudy.AFTER))).isCloseTo(78.5, within(1.5));
+    assertThat(mean(row -> row.percent(PointsColumns.BEFORE))).isCloseTo(49, within(2.0));
+    assertThat(mean(row -> row.percent(PointsColumns.AFTER))).isCloseTo(78.5, within(1.5));
   }
 
   @Test
@@ -53,8 +53,8 @@ class PointsStudyTest {
       Trial trial = row.trial();
       Sites sites = Sites.of(RandomSites.uniform(trial.n(), trial.seed()), Progress.NONE);
       FlipResult flips = ScanFlip.run(Delaunay.triangulate(sites, Progress.NONE), Progress.NONE);
-      assertThat(row.count(PointsStudy.BEFORE)).isEqualTo(DegreeCount.of(flips.before()).even());
-      assertThat(row.count(PointsStudy.AFTER)).isEqualTo(DegreeCount.of(flips.after()).even());
+      assertThat(row.count(PointsColumns.BEFORE)).isEqualTo(DegreeCount.of(flips.before()).even());
+      assertThat(row.count(PointsColumns.AFTER)).isEqualTo(DegreeCount.of(flips.after()).even());
     }
   }
 
@@ -63,16 +63,16 @@ class PointsStudyTest {
     for (StudyRow row : rows) {
       assertThat(
               List.of(
-                  row.count(PointsStudy.BEFORE),
-                  row.count(PointsStudy.AFTER),
-                  row.count(PointsStudy.REPEATED),
-                  row.count(PointsStudy.BEST),
-                  row.count(PointsStudy.LIMIT),
+                  row.count(PointsColumns.BEFORE),
+                  row.count(PointsColumns.AFTER),
+                  row.count(PointsColumns.REPEATED),
+                  row.count(StudyRow.BEST),
+                  row.count(StudyRow.LIMIT),
                   row.trial().n()))
           .as("%s", row)
           .isSorted();
-      assertThat(row.count(PointsStudy.AFTER) - row.count(PointsStudy.BEFORE))
-          .isBetween(2 * row.count(PointsStudy.FLIPS), 4 * row.count(PointsStudy.FLIPS));
+      assertThat(row.count(PointsColumns.AFTER) - row.count(PointsColumns.BEFORE))
+          .isBetween(2 * row.count(PointsColumns.FLIPS), 4 * row.count(PointsColumns.FLIPS));
     }
   }
 

@@ -47,21 +47,21 @@ class PolygonsStudyTest {
   @Test
   void a_dented_square_is_counted() {
     StudyRow row = rows.get(0);
-    assertThat(row.count(PolygonsStudy.REFLEX)).isEqualTo(1);
-    assertThat(row.count(PolygonsStudy.PIECES)).isEqualTo(3);
+    assertThat(row.count(PolygonsColumns.REFLEX)).isEqualTo(1);
+    assertThat(row.count(PolygonsColumns.PIECES)).isEqualTo(3);
     assertThat(row.counts()).containsEntry("even_monotone", 3).containsEntry("even_best", 3);
   }
 
   @Test
   void the_optimum_is_proven_and_nothing_goes_beyond_it() {
     for (StudyRow row : rows) {
-      int best = row.count(PolygonsStudy.BEST);
-      assertThat(row.count(PolygonsStudy.LIMIT)).as("%s", row).isEqualTo(best);
-      for (Method method : PolygonsStudy.METHODS) {
+      int best = row.count(StudyRow.BEST);
+      assertThat(row.count(StudyRow.LIMIT)).as("%s", row).isEqualTo(best);
+      for (Method method : PolygonsColumns.METHODS) {
         assertThat(
                 List.of(
-                    row.count(PolygonsStudy.before(method)),
-                    row.count(PolygonsStudy.after(method)),
+                    row.count(PolygonsColumns.before(method)),
+                    row.count(PolygonsColumns.after(method)),
                     best))
             .as("%s", row)
             .isSorted();
@@ -73,8 +73,8 @@ class PolygonsStudyTest {
   @Test
   void pieces_are_bounded_by_reflex_vertices() {
     for (StudyRow row : rows) {
-      int reflex = row.count(PolygonsStudy.REFLEX);
-      assertThat(row.count(PolygonsStudy.PIECES))
+      int reflex = row.count(PolygonsColumns.REFLEX);
+      assertThat(row.count(PolygonsColumns.PIECES))
           .as("%s", row)
           .isBetween((reflex + 1) / 2 + 1, row.trial().n() - 2);
     }
@@ -86,9 +86,9 @@ class PolygonsStudyTest {
         .filter(row -> row.trial().shape().equals(PolygonShape.CONVEX.word()))
         .forEach(
             row -> {
-              assertThat(row.count(PolygonsStudy.PIECES)).isOne();
-              assertThat(row.count(PolygonsStudy.before(Method.CONVEX_EVEN)))
-                  .isEqualTo(row.count(PolygonsStudy.BEST));
+              assertThat(row.count(PolygonsColumns.PIECES)).isOne();
+              assertThat(row.count(PolygonsColumns.before(Method.CONVEX_EVEN)))
+                  .isEqualTo(row.count(StudyRow.BEST));
             });
   }
 
@@ -120,7 +120,7 @@ class PolygonsStudyTest {
   void there_are_pictures_of_random_and_given_polygons() {
     for (StudyRow row : List.of(rows.get(0), rows.get(rows.size() - 1))) {
       List<StudyPicture> pictures = STUDY.pictures(row.trial(), Progress.NONE);
-      int even = row.count(PolygonsStudy.after(Method.CONVEX_EVEN));
+      int even = row.count(PolygonsColumns.after(Method.CONVEX_EVEN));
       assertThat(pictures).hasSize(3);
       assertThat(String.join(" ", pictures.get(1).scene().counts()))
           .as("%s", row)
