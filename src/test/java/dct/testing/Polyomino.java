@@ -39,22 +39,22 @@ final class Polyomino {
     return region;
   }
 
-  /** The corridors of a random tree over rooms two cells apart. */
-  static Polyomino maze(int rooms, Random random) {
+  /** The corridors of a random tree over squares two cells apart. */
+  static Polyomino maze(int squares, Random random) {
     Polyomino region = new Polyomino();
     List<Cell> open = new ArrayList<>();
     open.add(new Cell(0, 0));
     region.add(open.get(0));
-    while (open.size() < rooms) {
+    while (open.size() < squares) {
       Cell from = open.get(Math.max(0, open.size() - 1 - random.nextInt(8)));
       from = random.nextInt(4) == 0 ? open.get(random.nextInt(open.size())) : from;
       int direction = 2 * random.nextInt(4);
       Cell wall = from.near(direction);
-      Cell room = wall.near(direction);
-      if (!region.cells.contains(room)) {
+      Cell square = wall.near(direction);
+      if (!region.cells.contains(square)) {
         region.add(wall);
-        region.add(room);
-        open.add(room);
+        region.add(square);
+        open.add(square);
       }
     }
     return region;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 /** Polygon Based, by mouse and keyboard. */
 class PolygonWindowTest extends WindowTest {
-  /** Two wide convex rooms and a corner, so that every method cuts it into pieces. */
+  /** Two wide convex parts and a corner, so that every method cuts it into pieces. */
   private static final double[] DRAWN = {
     100, 100, 300, 60, 500, 120, 560, 300, 800, 200, 900, 400, 850, 600, 600, 650, 450, 500, 200,
     620, 80, 400

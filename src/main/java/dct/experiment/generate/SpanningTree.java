@@ -8,10 +8,10 @@ import java.util.Locale;
 /**
  * The outline of a random spanning tree: a winding corridor round each of its branches.
  *
- * <p>Rooms lie on a rectangular lattice. A spanning tree of them is drawn, each equally likely (D.
+ * <p>Cells lie on a rectangular lattice. A spanning tree of them is drawn, each equally likely (D.
  * Wilson, "Generating random spanning trees more quickly than the cover time", 1996), and loses
- * leaves until it has as many rooms as are needed. Each room has four vertices; the walk round the
- * tree visits all vertices of all rooms, on a lattice of half the width. Up to three vertices that
+ * leaves until it has as many cells as are needed. Each cell has four vertices; the walk round the
+ * tree visits all vertices of all cells, on a lattice of half the width. Up to three vertices that
  * are not neighbours are left out to reach n exactly.
  *
  * <p>At last each vertex moves by less than a quarter of the lattice's width in x and in y. Edges
@@ -28,7 +28,7 @@ final class SpanningTree {
   private final int columns;
   private final int rows;
   private final SeededRandom random;
-  private final byte[] exits; // of each room, a bit for each direction
+  private final byte[] exits; // of each cell, a bit for each direction
 
   private SpanningTree(int columns, int rows, SeededRandom random) {
     this.columns = columns;
@@ -44,88 +44,88 @@ final class SpanningTree {
    */
   static Points polygon(int n, Area area, SeededRandom random, Progress progress) {
     Grid grid = area.grid();
-    int rooms = (n + 3) / 4;
+    int cells = (n + 3) / 4;
     long mostColumns = grid.columns() / 2;
     long mostRows = grid.rows() / 2;
-    if (mostColumns * mostRows < rooms) {
+    if (mostColumns * mostRows < cells) {
       throw new CannotGenerateException(
           String.format(
                   Locale.ROOT,
-                  "the outline of a spanning tree with %d vertices needs %d rooms of 2 × 2 places; take a",
+                  "the outline of a spanning tree with %d vertices needs %d cells of 2 × 2 places; take a",
                   n,
-                  rooms)
+                  cells)
               + " larger area or fewer");
     }
-    double wished = Math.sqrt((double) rooms * grid.columns() / grid.rows());
-    long least = (rooms + mostRows - 1) / mostRows;
+    double wished = Math.sqrt((double) cells * grid.columns() / grid.rows());
+    long least = (cells + mostRows - 1) / mostRows;
     int columns = (int) Math.min(mostColumns, Math.max(least, Math.round(wished)));
-    SpanningTree tree = new SpanningTree(columns, (rooms + columns - 1) / columns, random);
+    SpanningTree tree = new SpanningTree(columns, (cells + columns - 1) / columns, random);
     tree.grow(progress);
-    tree.prune(rooms);
-    return tree.outline(n, rooms, grid);
+    tree.prune(cells);
+    return tree.outline(n, cells, grid);
   }
 
-  /** Wilson's way: from each room a random walk to the tree, its loops left out, joins it. */
+  /** Wilson's way: from each cell a random walk to the tree, its loops left out, joins it. */
   private void grow(Progress progress) {
-    byte[] way = new byte[exits.length]; // by which each room was last left
+    byte[] way = new byte[exits.length]; // by which each cell was last left
     boolean[] inTree = new boolean[exits.length];
     inTree[random.nextInt(exits.length)] = true;
     for (int start = 0; start < exits.length; start++) {
       progress.checkCancelled();
-      for (int room = start; !inTree[room]; room = next(room, way[room])) {
-        way[room] = randomWay(room);
+      for (int cell = start; !inTree[cell]; cell = next(cell, way[cell])) {
+        way[cell] = randomWay(cell);
       }
-      for (int room = start; !inTree[room]; room = next(room, way[room])) {
-        inTree[room] = true;
-        join(room, way[room]);
+      for (int cell = start; !inTree[cell]; cell = next(cell, way[cell])) {
+        inTree[cell] = true;
+        join(cell, way[cell]);
       }
     }
   }
 
-  private byte randomWay(int room) {
+  private byte randomWay(int cell) {
     int way;
     do {
       way = random.nextInt(4);
-    } while (next(room, way) == NONE);
+    } while (next(cell, way) == NONE);
     return (byte) way;
   }
 
-  /** The room in that direction, or none. */
-  private int next(int room, int way) {
-    int x = room % columns + DX[way];
-    int y = Math.floorDiv(room, columns) + DY[way];
+  /** The cell in that direction, or none. */
+  private int next(int cell, int way) {
+    int x = cell % columns + DX[way];
+    int y = Math.floorDiv(cell, columns) + DY[way];
     boolean inside = x >= 0 && x < columns && y >= 0 && y < rows;
     return inside ? y * columns + x : NONE;
   }
 
-  private void join(int room, int way) {
-    exits[room] ^= (byte) (1 << way);
-    exits[next(room, way)] ^= (byte) (1 << (way ^ 2));
+  private void join(int cell, int way) {
+    exits[cell] ^= (byte) (1 << way);
+    exits[next(cell, way)] ^= (byte) (1 << (way ^ 2));
   }
 
-  /** Takes leaves away until so many rooms are left. */
-  private void prune(int rooms) {
-    for (int left = exits.length; left > rooms; ) {
-      int room = random.nextInt(exits.length);
-      if (Integer.bitCount(exits[room]) == 1) {
-        join(room, Integer.numberOfTrailingZeros(exits[room])); // a second time undoes it
+  /** Takes leaves away until so many cells are left. */
+  private void prune(int cells) {
+    for (int left = exits.length; left > cells; ) {
+      int cell = random.nextInt(exits.length);
+      if (Integer.bitCount(exits[cell]) == 1) {
+        join(cell, Integer.numberOfTrailingZeros(exits[cell])); // a second time undoes it
         left--;
       }
     }
   }
 
-  /** The walk round the tree, a vertex given as room · 4 + corner. */
-  private int[] walk(int rooms) {
-    int[] walk = new int[4 * rooms];
-    int room = 0;
-    while (exits[room] == 0 && rooms > 1) {
-      room++;
+  /** The walk round the tree, a vertex given as cell · 4 + corner. */
+  private int[] walk(int cells) {
+    int[] walk = new int[4 * cells];
+    int cell = 0;
+    while (exits[cell] == 0 && cells > 1) {
+      cell++;
     }
     int corner = 0;
     for (int k = 0; k < walk.length; k++) {
-      walk[k] = 4 * room + corner;
-      if (((exits[room] >> corner) & 1) == 1) {
-        room = next(room, corner);
+      walk[k] = 4 * cell + corner;
+      if (((exits[cell] >> corner) & 1) == 1) {
+        cell = next(cell, corner);
         corner = (corner + 3) % 4;
       } else {
         corner = (corner + 1) % 4;
@@ -134,8 +134,8 @@ final class SpanningTree {
     return walk;
   }
 
-  private Points outline(int n, int rooms, Grid grid) {
-    int[] walk = walk(rooms);
+  private Points outline(int n, int cells, Grid grid) {
+    int[] walk = walk(cells);
     int surplus = walk.length - n;
     long[] x = new long[n];
     long[] y = new long[n];
@@ -143,11 +143,11 @@ final class SpanningTree {
     for (int k = 0; k < walk.length; k++) {
       boolean isLeftOut = k % 2 == 0 && k < 2 * surplus;
       if (!isLeftOut) {
-        int room = walk[k] >> 2;
+        int cell = walk[k] >> 2;
         int corner = walk[k] & 3;
-        x[size] = place(2 * (room % columns) + CORNER_X[corner], 2 * columns, grid.columns());
+        x[size] = place(2 * (cell % columns) + CORNER_X[corner], 2 * columns, grid.columns());
         y[size++] =
-            place(2 * Math.floorDiv(room, columns) + CORNER_Y[corner], 2 * rows, grid.rows());
+            place(2 * Math.floorDiv(cell, columns) + CORNER_Y[corner], 2 * rows, grid.rows());
       }
     }
     return grid.points(x, y);

@@ -194,7 +194,7 @@ class PolygonShapeTest {
     assertRefused(PolygonShape.BENT_EDGES, 9, Area.CANVAS, "need real coordinates");
     assertRefused(PolygonShape.COMB, 60, new Area(9, 9, true), "a comb of 60 vertices needs 58");
     assertRefused(PolygonShape.SPIRAL, 60, new Area(9, 9, true), "needs 31 places a side");
-    assertRefused(PolygonShape.SPANNING_TREE, 90, new Area(9, 9, true), "23 rooms");
+    assertRefused(PolygonShape.SPANNING_TREE, 90, new Area(9, 9, true), "23 cells");
   }
 
   private static void assertRefused(PolygonShape shape, int n, Area area, String reason) {
