@@ -24,11 +24,7 @@ final class MainMenu {
   private final List<CommandMenu> menus;
 
   MainMenu(
-      JFrame window,
-      CanvasPanel canvas,
-      FileWork files,
-      MainCommands commands,
-      StudyWork studies) {
+      JFrame window, CanvasPanel canvas, FileWork files, MainCommands commands, StudyWork studies) {
     this.window = window;
     this.canvas = canvas;
     this.files = files;

@@ -121,8 +121,7 @@ final class PolygonResults {
   private void show(Document document, Result result, String title, JFrame beside) {
     Editor editor = workbench.editor(Domain.POLYGON);
     ResultFrame frame =
-        new ResultFrame(
-            title, editor.name(), result.scene, canvas.labels(), workbench.jobs());
+        new ResultFrame(title, editor.name(), result.scene, canvas.labels(), workbench.jobs());
     Placement.beside(frame, beside, owner, frames.size());
     if (beside != owner) {
       beside.toFront(); // so that old and new can be compared

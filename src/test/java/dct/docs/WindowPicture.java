@@ -51,7 +51,8 @@ public final class WindowPicture {
     ResultFrame after = results().get(1);
     place(before, BEFORE);
     place(after, AFTER);
-    ImageIO.write(new Robot().createScreenCapture(MAIN), "png", new File("docs", "window.png"));
+    Rectangle seen = onEventThread(window::getBounds); // a window manager may have moved it
+    ImageIO.write(new Robot().createScreenCapture(seen), "png", new File("docs", "window.png"));
     System.exit(0);
   }
 

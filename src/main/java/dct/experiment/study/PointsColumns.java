@@ -14,7 +14,16 @@ final class PointsColumns {
 
   /** All of them, in the order of the columns. */
   static final List<String> ALL =
-      List.of(HULL, BEFORE, AFTER, FLIPS, REPEATED, REPEATED_FLIPS, SCANS, StudyRow.BEST, StudyRow.LIMIT);
+      List.of(
+          HULL,
+          BEFORE,
+          AFTER,
+          FLIPS,
+          REPEATED,
+          REPEATED_FLIPS,
+          SCANS,
+          StudyRow.BEST,
+          StudyRow.LIMIT);
 
   private PointsColumns() {}
 

@@ -102,7 +102,9 @@ final class PolygonsCharts {
     for (Method method : PolygonsColumns.METHODS) {
       series.add(
           maker.make(
-              method.algorithm(), PALE.get(method), r -> r.percent(PolygonsColumns.before(method))));
+              method.algorithm(),
+              PALE.get(method),
+              r -> r.percent(PolygonsColumns.before(method))));
       series.add(
           maker.make(
               method.algorithm() + ", Scan-Flip",

@@ -42,8 +42,8 @@ final class BoundClaim {
   }
 
   private Check checkOdd() {
-    long bound = Verifier.whole(claims, "oddLowerBound");
-    long odd = Verifier.whole(claims, "odd");
+    long bound = claims.required("oddLowerBound");
+    long odd = claims.required("odd");
     boolean hasReason = claims.text("boundReason").isPresent();
     checkCounted(bound, hasReason);
     checkOptimal(odd == bound);
@@ -57,7 +57,7 @@ final class BoundClaim {
     int counted = BoundaryColouring.allEven(stored.boundary(), "vertices").value();
     FalseClaim.unless(
         bound == counted || (mayExceed && bound > counted),
-        Verifier.wrong("oddLowerBound", bound, counted) + (mayExceed ? " at least" : ""));
+        FalseClaim.wrong("oddLowerBound", bound, counted) + (mayExceed ? " at least" : ""));
   }
 
   private void checkOptimal(boolean optimal) {
@@ -67,7 +67,7 @@ final class BoundClaim {
   }
 
   private Check checkWishes() {
-    checkCounted(Verifier.whole(claims, "oddLowerBound"), false);
+    checkCounted(claims.required("oddLowerBound"), false);
     int n = stored.instance().size();
     Instance instance = stored.instance().with(wishes(n));
     int unmet = 0;
@@ -76,7 +76,7 @@ final class BoundClaim {
     }
     claim("unsatisfied", unmet);
     claim("satisfied", n - unmet);
-    long bound = Verifier.whole(claims, "unsatisfiedLowerBound");
+    long bound = claims.required("unsatisfiedLowerBound");
     checkOptimal(unmet == bound);
     return recomputed("unsatisfiedLowerBound", "unmet wishes", instance, unmet, bound);
   }
@@ -89,8 +89,8 @@ final class BoundClaim {
   }
 
   private void claim(String field, long truth) {
-    long said = Verifier.whole(claims, field);
-    FalseClaim.unless(said == truth, Verifier.wrong(field, said, truth));
+    long said = claims.required(field);
+    FalseClaim.unless(said == truth, FalseClaim.wrong(field, said, truth));
   }
 
   /** Recomputes a bound on what is here in this number. */

@@ -88,6 +88,13 @@ public final class Claims {
         : OptionalLong.empty();
   }
 
+  /** The whole number in the field of this name; a claim without one is false. */
+  long required(String name) {
+    return whole(name)
+        .orElseThrow(
+            () -> new FalseClaim("the field \"" + name + "\" is missing or no whole number"));
+  }
+
   /** The number in the field of this name, if it is there and a number. */
   public OptionalDouble number(String name) {
     return values.get(name) instanceof Double number

@@ -21,6 +21,11 @@ public final class FalseClaim extends RuntimeException {
     return line;
   }
 
+  /** What is wrong with a field that says one number and should say another. */
+  static String wrong(String field, long said, long truth) {
+    return "the field \"" + field + "\" says " + said + ", but it is " + truth;
+  }
+
   static void unless(boolean truth, String message) {
     unless(truth, 1, message);
   }

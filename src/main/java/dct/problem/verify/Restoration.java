@@ -81,7 +81,7 @@ public final class Restoration {
     FalseClaim.unless(goal.size() == n, "the field \"wishes\" is not " + n + " letters e, o or a");
     LowerBound bound =
         new LowerBound(
-            (int) Verifier.whole(claims, wishes ? "unsatisfiedLowerBound" : "oddLowerBound"),
+            (int) claims.required(wishes ? "unsatisfiedLowerBound" : "oddLowerBound"),
             claims.text("boundReason").orElse("no reason given"));
     Triangulation best = plain.triangulation();
     boolean interrupted = claims.flag("interrupted").orElse(false);

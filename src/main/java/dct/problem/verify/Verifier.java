@@ -84,14 +84,14 @@ public final class Verifier {
     String post = claims.text("post").orElse("");
     FalseClaim.unless(
         POSTS.contains(post), "the field \"post\" is none of \"none\", \"flip\", \"optimize\"");
-    long merged = whole("merged");
+    long merged = claims.required("merged");
     boolean possible = stored.method().domain() == Domain.SITES ? merged >= 0 : merged == 0;
     FalseClaim.unless(possible, "the field \"merged\" cannot be " + merged);
   }
 
   /** Compares points and merged duplicates with the input, which alone can tell of duplicates. */
   private void checkInput() {
-    long merged = whole("merged");
+    long merged = claims.required("merged");
     if (input.isPresent()) {
       check("the input", () -> compare(input.get()));
     } else if (merged > 0) {
@@ -223,23 +223,7 @@ public final class Verifier {
   }
 
   private void claim(String field, long truth) {
-    long said = whole(field);
-    FalseClaim.unless(said == truth, wrong(field, said, truth));
-  }
-
-  private long whole(String field) {
-    return whole(claims, field);
-  }
-
-  static long whole(Claims claims, String field) {
-    return claims
-        .whole(field)
-        .orElseThrow(
-            () -> new FalseClaim("the field \"" + field + "\" is missing or no whole number"));
-  }
-
-  /** What is wrong with a field that says one number and should say another. */
-  static String wrong(String field, long said, long truth) {
-    return "the field \"" + field + "\" says " + said + ", but it is " + truth;
+    long said = claims.required(field);
+    FalseClaim.unless(said == truth, FalseClaim.wrong(field, said, truth));
   }
 }

@@ -6,8 +6,10 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
@@ -41,7 +43,7 @@ public final class Jobs {
   }
 
   /** What follows each other in order. */
-  enum Lane {
+  private enum Lane {
     /** Algorithms and searches. */
     WORK,
     /** What brings the picture up to date with the document. */
@@ -50,6 +52,8 @@ public final class Jobs {
     /** Files that are written: in order, and whole before the program ends. */
     WRITES
   }
+
+  private static final long REPORT_NANOS = 40_000_000;
 
   private final Map<Lane, ExecutorService> threads = new EnumMap<>(Lane.class);
   private final List<Job<?>> waiting = new ArrayList<>(); // running or not yet begun, as queued
@@ -110,7 +114,7 @@ public final class Jobs {
 
   private <T> Handle queue(
       Lane lane, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
-    Job<T> job = new Job<>(this, lane, what, work, done, isSearch);
+    Job<T> job = new Job<>(lane, what, work, done, isSearch);
     waiting.add(job);
     threads.get(lane).execute(job);
     return job;
@@ -146,7 +150,7 @@ public final class Jobs {
   }
 
   /** Tells of a job, if it is the current one, and how many others wait for their turn. */
-  void running(Job<?> job, double fraction) {
+  private void announce(Job<?> job, double fraction) {
     if (listener != null && current().filter(job::equals).isPresent()) {
       long next = waiting.stream().filter(other -> other != job && !other.hasBegun()).count();
       listener.running(job.what() + (next == 0 ? "" : " (" + next + " waiting)"), fraction);
@@ -154,7 +158,7 @@ public final class Jobs {
   }
 
   /** Takes a job off the list, then does what its end calls for. */
-  void ended(Job<?> job, Runnable then) {
+  private void ended(Job<?> job, Runnable then) {
     boolean wasCurrent = current().filter(job::equals).isPresent();
     waiting.remove(job);
     try {
@@ -163,18 +167,100 @@ public final class Jobs {
       if (waiting.isEmpty() && listener != null) {
         listener.idle();
       } else if (wasCurrent) {
-        current().ifPresent(next -> running(next, -1));
+        current().ifPresent(next -> announce(next, -1));
       }
     }
   }
 
-  void failed(Job<?> job, Throwable cause) {
+  private void failed(Job<?> job, Throwable cause) {
     if (listener != null) {
       listener.failed(job.what(), cause);
     }
   }
 
-  static void onEventThread(Runnable action) {
-    SwingUtilities.invokeLater(action);
+  /** One piece of work in a queue. */
+  private final class Job<T> implements Runnable, Progress, Handle {
+    private final String what;
+    private final Function<Progress, T> work;
+    private final Consumer<T> done;
+    private final Lane lane;
+    private final boolean isSearch; // a cancel ends the work, and its result still counts
+    private final AtomicBoolean cancelled = new AtomicBoolean();
+    private final AtomicBoolean begun = new AtomicBoolean();
+    private long lastReport; // used by the working thread only
+
+    /** A piece of work that has not begun. */
+    Job(Lane lane, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
+      this.lane = lane;
+      this.what = what;
+      this.work = work;
+      this.done = done;
+      this.isSearch = isSearch;
+    }
+
+    String what() {
+      return what;
+    }
+
+    /** Whether it writes a file: what is asked to be written is written, whatever is cancelled. */
+    boolean isWrite() {
+      return lane == Lane.WRITES;
+    }
+
+    boolean hasBegun() {
+      return begun.get();
+    }
+
+    @Override
+    public void cancel() {
+      cancelled.set(true);
+    }
+
+    @Override
+    public void withdraw() {
+      if (!begun.get()) {
+        cancel();
+      }
+    }
+
+    /** Works, and tells of the end whatever it was: also of an error of the machine. */
+    @Override
+    public void run() {
+      begun.set(true);
+      SwingUtilities.invokeLater(() -> announce(this, -1));
+      Runnable then;
+      try {
+        checkCancelled();
+        T result = work.apply(this);
+        then = () -> finish(result);
+      } catch (CancellationException e) {
+        then = () -> {};
+      } catch (Throwable e) {
+        then = () -> failed(this, e);
+      }
+      Runnable end = then;
+      SwingUtilities.invokeLater(() -> ended(this, end));
+    }
+
+    /** On the event thread: a job that was cancelled in the last moment has no effect either. */
+    private void finish(T result) {
+      if (isSearch || !isCancelled()) {
+        done.accept(result);
+      }
+    }
+
+    @Override
+    public void report(double fraction, String message) {
+      long now = System.nanoTime();
+      if (now - lastReport > REPORT_NANOS) {
+        lastReport = now;
+        SwingUtilities.invokeLater(() -> announce(this, fraction));
+      }
+    }
+
+    @Override
+    public boolean isCancelled() {
+      return cancelled.get();
+    }
   }
 }
