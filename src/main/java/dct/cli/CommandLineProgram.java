@@ -40,17 +40,6 @@ public final class CommandLineProgram {
 
   static final int HELP_WIDTH = 100;
 
-  static final List<String> VERBS =
-      List.of(
-          "triangulate",
-          "generate",
-          "experiment",
-          "convert",
-          "check",
-          "verify",
-          "help",
-          "completion");
-
   /** The verbs that speak of the others. */
   private static final List<String> ABOUT = List.of("help", "completion");
 
@@ -60,18 +49,13 @@ public final class CommandLineProgram {
     this.console = console;
   }
 
-  /** Whether this word is one of the program's verbs. */
-  public static boolean isVerb(String word) {
-    return VERBS.contains(word);
-  }
-
   /** Does what these arguments ask for; returns the exit status. */
   public static int run(Console console, String... arguments) {
     return new CommandLineProgram(console).run(arguments);
   }
 
   private int run(String... arguments) {
-    if (arguments.length > 0 && !isVerb(arguments[0]) && !arguments[0].startsWith("-")) {
+    if (arguments.length > 0 && !Verb.isVerb(arguments[0]) && !arguments[0].startsWith("-")) {
       return wrongUsage(withoutVerb(List.of(arguments)), "dct");
     }
     try {
@@ -92,9 +76,12 @@ public final class CommandLineProgram {
     String stray = arguments.stream().filter(a -> !FileArguments.isFile(a)).findFirst().orElse("");
     if (stray.equals(arguments.get(0))) {
       return String.format(
-          Locale.ROOT, "\"%s\" is neither a verb nor a file%s", stray, Spelling.hint(stray, VERBS));
+          Locale.ROOT,
+          "\"%s\" is neither a verb nor a file%s",
+          stray,
+          Spelling.hint(stray, Verb.NAMES));
     }
-    return isVerb(stray) || stray.startsWith("-") || stray.isEmpty()
+    return Verb.isVerb(stray) || stray.startsWith("-") || stray.isEmpty()
         ? "a verb is missing, it comes before files and options"
         : "\"" + stray + "\" is no file";
   }
@@ -110,8 +97,9 @@ public final class CommandLineProgram {
 
   private CommandLine commandLine(String... arguments) {
     CommandSpec top = top();
-    boolean clear = arguments.length > 0 && isVerb(arguments[0]) && !ABOUT.contains(arguments[0]);
-    for (String verb : clear ? List.of(arguments[0]) : VERBS) {
+    boolean clear =
+        arguments.length > 0 && Verb.isVerb(arguments[0]) && !ABOUT.contains(arguments[0]);
+    for (String verb : clear ? List.of(arguments[0]) : Verb.NAMES) {
       top.addSubcommand(verb, verb(verb).spec());
     }
     return new CommandLine(top)

@@ -19,7 +19,7 @@ public final class FileArguments {
    * verb or one of them names no file.
    */
   public static Optional<List<Path>> of(String... arguments) {
-    if (arguments.length > 0 && CommandLineProgram.isVerb(arguments[0])) {
+    if (arguments.length > 0 && Verb.isVerb(arguments[0])) {
       return Optional.empty();
     }
     List<Path> files = new ArrayList<>();

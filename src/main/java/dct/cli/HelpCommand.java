@@ -10,8 +10,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 /** {@code dct help}: the help of the program or of one verb. */
 final class HelpCommand extends Verb {
   private final PositionalParamSpec verb =
-      optionalParameter(
-          "VERB", CommandLineProgram.VERBS, "The verb to explain; without one, the program.");
+      optionalParameter("VERB", NAMES, "The verb to explain; without one, the program.");
 
   HelpCommand(Console console) {
     super(console, "Explains the program, or one of its verbs.");

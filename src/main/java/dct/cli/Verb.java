@@ -24,6 +24,18 @@ import picocli.CommandLine.Model.PositionalParamSpec;
  * time that the program takes to start.
  */
 abstract class Verb implements Callable<Integer> {
+  /** The verbs that there are. */
+  static final List<String> NAMES =
+      List.of(
+          "triangulate",
+          "generate",
+          "experiment",
+          "convert",
+          "check",
+          "verify",
+          "help",
+          "completion");
+
   static final String STANDARD_STREAM = "-";
   private static final Content[] CONTENTS = {
     Content.POINTS, Content.TRIANGULATION, Content.PICTURE
@@ -36,6 +48,11 @@ abstract class Verb implements Callable<Integer> {
     this.console = console;
     addHelp(spec);
     spec.usageMessage().description(description);
+  }
+
+  /** Whether this word is one of the program's verbs. */
+  static boolean isVerb(String word) {
+    return NAMES.contains(word);
   }
 
   /** Adds what every command understands. */

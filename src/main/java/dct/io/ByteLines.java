@@ -149,4 +149,9 @@ final class ByteLines {
   boolean isCut() {
     return cut;
   }
+
+  /** White space within a line. */
+  static boolean isBlank(byte b) {
+    return b == ' ' || b == '\t' || b == 0x0B || b == '\f';
+  }
 }

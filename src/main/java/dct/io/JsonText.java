@@ -16,7 +16,6 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -191,10 +190,7 @@ final class JsonText {
   }
 
   private EdgeKind edgeKind(String word) {
-    return Arrays.stream(EdgeKind.values())
-        .filter(kind -> ResultJson.word(kind).equals(word))
-        .findFirst()
-        .orElseThrow(() -> fault(EDGE_WRONG));
+    return EdgeKind.parse(word).orElseThrow(() -> fault(EDGE_WRONG));
   }
 
   private void require(JsonToken token, String wrong) throws IOException {

@@ -108,7 +108,7 @@ final class LineFault {
   private boolean hasControls(int to) {
     for (int i = lines.start(); i < to; i++) {
       byte b = lines.bytes()[i];
-      if (b >= 0 && b < ' ' && b != '\n' && b != '\r' && !VertexText.isBlank(b)) {
+      if (b >= 0 && b < ' ' && b != '\n' && b != '\r' && !ByteLines.isBlank(b)) {
         return true;
       }
     }

@@ -95,7 +95,7 @@ public final class PointFile {
   private static int afterSpace(byte[] head, int from) {
     int i = from;
     while (i < head.length
-        && (head[i] < 0 || VertexText.isBlank(head[i]) || head[i] == '\n' || head[i] == '\r')) {
+        && (head[i] < 0 || ByteLines.isBlank(head[i]) || head[i] == '\n' || head[i] == '\r')) {
       i++;
     }
     return i;

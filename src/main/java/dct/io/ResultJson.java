@@ -8,7 +8,6 @@ import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
-import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
@@ -23,7 +22,6 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -133,11 +131,6 @@ public final class ResultJson {
    */
   public static Claims read(String name, InputStream in) throws IOException {
     return JsonText.read(name, in);
-  }
-
-  /** The word for a kind of edge. */
-  static String word(EdgeKind kind) {
-    return kind.name().toLowerCase(Locale.ROOT);
   }
 
   private static void write(OutputStream out, Fields fields) throws IOException {
@@ -261,7 +254,7 @@ public final class ResultJson {
       text.setLength(0);
       text.append("\n[").append(triangulation.from(edge)).append(", ");
       text.append(triangulation.to(edge)).append(", \"");
-      text.append(word(triangulation.kind(edge))).append("\"]");
+      text.append(triangulation.kind(edge).word()).append("\"]");
       json.jsonValue(text.toString());
     }
     endLines();

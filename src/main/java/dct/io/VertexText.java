@@ -115,7 +115,7 @@ final class VertexText {
 
   private int skipBlanks(int from) {
     int i = from;
-    while (i < lines.end() && isBlank(lines.bytes()[i])) {
+    while (i < lines.end() && ByteLines.isBlank(lines.bytes()[i])) {
       i++;
     }
     return i;
@@ -135,12 +135,8 @@ final class VertexText {
     return i;
   }
 
-  static boolean isBlank(byte b) {
-    return b == ' ' || b == '\t' || b == 0x0B || b == '\f';
-  }
-
   private static boolean endsToken(byte b) {
-    return isBlank(b) || b == ',' || b == ';';
+    return ByteLines.isBlank(b) || b == ',' || b == ';';
   }
 
   private boolean isRest(int i) {
@@ -150,7 +146,8 @@ final class VertexText {
   private void comment(int from) {
     byte[] bytes = lines.bytes();
     for (int i = from; i < lines.end(); i++) {
-      if (bytes[i] < ' ' && !isBlank(bytes[i])) { // control characters and, below zero, non-ASCII
+      if (bytes[i] < ' '
+          && !ByteLines.isBlank(bytes[i])) { // control characters and, below zero, non-ASCII
         new LineFault(name, lines).throwIfNotText();
         break;
       }

@@ -36,7 +36,7 @@ class CommandLineProgramTest {
   @ParameterizedTest
   @ValueSource(strings = {"triangulate", "generate", "convert", "check", "verify"})
   void every_verb_has_help_and_version(String verb) {
-    assertThat(CommandLineProgram.isVerb(verb)).isTrue();
+    assertThat(Verb.isVerb(verb)).isTrue();
     assertThat(CliRun.of(verb, "--help").done().out()).startsWith("Usage: dct " + verb);
     assertThat(CliRun.of(verb, "--version").done().out()).startsWith("dct ");
   }
@@ -58,7 +58,7 @@ class CommandLineProgramTest {
   @Test
   void the_examples_of_every_help_run(@TempDir Path folder) {
     List<String> examples = new ArrayList<>();
-    for (String verb : CommandLineProgram.VERBS) {
+    for (String verb : Verb.NAMES) {
       CliRun.of("help", verb)
           .done()
           .out()
@@ -68,7 +68,7 @@ class CommandLineProgramTest {
           .map(line -> line.strip().replaceFirst("^source <\\((.*?)\\).*", "$1"))
           .forEach(examples::add);
     }
-    assertThat(examples).hasSizeGreaterThan(CommandLineProgram.VERBS.size());
+    assertThat(examples).hasSizeGreaterThan(Verb.NAMES.size());
     for (String example : examples) {
       String input = "";
       for (String part : example.split(" [>|] ", -1)) {
