@@ -1,6 +1,7 @@
 package dct.testing;
 
 import dct.core.dcel.Dcel;
+import dct.core.dcel.DcelValidator;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Partition;
@@ -53,7 +54,7 @@ public final class PartitionAssert extends AbstractAssert<PartitionAssert, Parti
    */
   public PartitionAssert isPartitionOf(SimplePolygon polygon) {
     isNotNull();
-    actual.dcel().validate();
+    DcelValidator.validate(actual.dcel());
     Points points = polygon.points();
     List<int[]> rings = rings(actual);
     int edges = actual.dcel().edgeCount();

@@ -1,5 +1,6 @@
 package dct.testing;
 
+import dct.core.dcel.DcelValidator;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
@@ -44,7 +45,7 @@ public final class TriangulationAssert extends AbstractAssert<TriangulationAsser
 
   private void requireDomain(Domain domain) {
     isNotNull();
-    actual.dcel().validate();
+    DcelValidator.validate(actual.dcel());
     if (actual.domain() != domain) {
       failWithMessage("a triangulation of %s, not of %s", actual.domain(), domain);
     }

@@ -16,7 +16,7 @@ import java.util.Arrays;
  * removeVertex(insertVertex(e, v)) == e}; {@code joinEdges(splitEdge(e, v)) == e}; {@code flip}
  * twice restores the edge, four times the half-edge. Each has a guard that says whether it applies;
  * calling an operator whose guard is false is an error of the caller. After {@link #freeze} every
- * operator throws. {@link #validate} checks the laws.
+ * operator throws. {@link DcelValidator} checks the laws.
  *
  * <p>Space: 16 bytes a half-edge, 8 a vertex, 4 a face.
  */
@@ -546,14 +546,5 @@ public final class Dcel {
   private void freeFace(int f) {
     faceEdge[f] = NONE;
     faces.give(f);
-  }
-
-  /**
-   * Checks every law of the structure, in linear time.
-   *
-   * @throws IllegalStateException naming the first broken law and the handle that breaks it
-   */
-  public void validate() {
-    new DcelValidator(this).validate();
   }
 }

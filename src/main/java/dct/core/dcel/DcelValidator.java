@@ -3,14 +3,23 @@ package dct.core.dcel;
 import java.util.function.IntConsumer;
 
 /** The laws of a {@link Dcel}, checked in an order in which each may rely on those before it. */
-final class DcelValidator {
+public final class DcelValidator {
   private final Dcel dcel;
 
-  DcelValidator(Dcel dcel) {
+  private DcelValidator(Dcel dcel) {
     this.dcel = dcel;
   }
 
-  void validate() {
+  /**
+   * Checks every law of the structure, in linear time.
+   *
+   * @throws IllegalStateException naming the first broken law and the handle that breaks it
+   */
+  public static void validate(Dcel dcel) {
+    new DcelValidator(dcel).validate();
+  }
+
+  private void validate() {
     forEachHalfEdge(this::checkHandles);
     forEachHalfEdge(this::checkLinks);
     checkVertices();

@@ -24,7 +24,7 @@ class DcelTest {
   @ValueSource(ints = {3, 4, 5, 17, 100})
   void aCycleIsWhatItSays(int n) {
     Dcel dcel = Dcel.cycle(walk(n));
-    dcel.validate();
+    DcelValidator.validate(dcel);
     assertThat(dcel.vertexCount()).isEqualTo(n);
     assertThat(dcel.edgeCount()).isEqualTo(n);
     assertThat(dcel.faceCount()).isEqualTo(2);
@@ -41,7 +41,7 @@ class DcelTest {
   @Test
   void aCycleKeepsTheNumbersOfTheWalk() {
     Dcel dcel = Dcel.cycle(0, 3, 2, 1);
-    dcel.validate();
+    DcelValidator.validate(dcel);
     assertThat(dcel.origin(2)).isEqualTo(3);
     assertThat(dcel.target(2)).isEqualTo(2);
   }
@@ -57,7 +57,7 @@ class DcelTest {
         int edges = dcel.edgeCount();
         int faces = dcel.faceCount();
         int d = dcel.splitFace(a, b);
-        dcel.validate();
+        DcelValidator.validate(dcel);
         assertThat(dcel.origin(d)).as("seed %d", seed).isEqualTo(dcel.origin(a));
         assertThat(dcel.target(d)).isEqualTo(dcel.origin(b));
         assertThat(dcel.next(d)).isEqualTo(b);
@@ -92,7 +92,7 @@ class DcelTest {
         int d = dcel.splitFace(pair[0], pair[1]);
         assertThat(dcel.canJoin(d)).isTrue();
         assertThat(dcel.joinFaces(d)).as("seed %d", seed).isEqualTo(pair[0]);
-        dcel.validate();
+        DcelValidator.validate(dcel);
         assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
       }
     }
@@ -109,9 +109,9 @@ class DcelTest {
         int b = dcel.next(e);
         String before = snapshot(dcel);
         int a = dcel.joinFaces(e);
-        dcel.validate();
+        DcelValidator.validate(dcel);
         int d = dcel.splitFace(a, b);
-        dcel.validate();
+        DcelValidator.validate(dcel);
         assertThat(d >> 1).as("the number is used again, seed %d", seed).isEqualTo(e >> 1);
         assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
       }
@@ -131,16 +131,16 @@ class DcelTest {
       int left = dcel.origin(dcel.prev(e));
       int right = dcel.origin(dcel.prev(Dcel.twin(e)));
       dcel.flip(e);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.origin(e)).as("seed %d", seed).isEqualTo(right);
       assertThat(dcel.target(e)).isEqualTo(left);
       dcel.flip(e);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.origin(e)).isEqualTo(to);
       assertThat(dcel.target(e)).isEqualTo(from);
       dcel.flip(e);
       dcel.flip(e);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.origin(e)).isEqualTo(from);
       assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
     }
@@ -156,14 +156,14 @@ class DcelTest {
       int face = dcel.face(e);
       String before = snapshot(dcel);
       int x = dcel.insertVertex(e, v);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.origin(x)).as("seed %d", seed).isEqualTo(v);
       assertThat(dcel.next(x)).isEqualTo(e);
       assertThat(dcel.face(e)).isEqualTo(face);
       assertThat(dcel.degree(v)).isEqualTo(3);
       assertThat(dcel.canRemoveVertex(x)).isTrue();
       assertThat(dcel.removeVertex(x)).isEqualTo(e);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.face(e)).isEqualTo(face);
       assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
     }
@@ -181,10 +181,10 @@ class DcelTest {
       int edges = dcel.edgeBound();
       String before = snapshot(dcel);
       int e = dcel.removeVertex(x);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(dcel.degree(inner)).isZero();
       int again = dcel.insertVertex(e, inner);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(again >> 1).as("the number is used again, seed %d", seed).isEqualTo(x >> 1);
       assertThat(dcel.edgeBound()).isEqualTo(edges);
       assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
@@ -202,13 +202,13 @@ class DcelTest {
       int to = dcel.target(e);
       String before = snapshot(dcel);
       int d = dcel.splitEdge(e, v);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(new int[] {dcel.origin(e), dcel.target(e), dcel.origin(d), dcel.target(d)})
           .as("seed %d", seed)
           .containsExactly(from, v, v, to);
       assertThat(dcel.canJoinEdges(d)).isTrue();
       assertThat(dcel.joinEdges(d)).isEqualTo(e);
-      dcel.validate();
+      DcelValidator.validate(dcel);
       assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
       assertThat(dcel.splitEdge(e, v) >> 1).as("used again").isEqualTo(d >> 1);
     }
@@ -222,10 +222,10 @@ class DcelTest {
       Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0, Progress.NONE);
       String before = snapshot(path);
       int d = path.splitEdge(e, 3);
-      path.validate();
+      DcelValidator.validate(path);
       assertThat(path.degree(3)).isEqualTo(2);
       assertThat(path.joinEdges(d)).isEqualTo(e);
-      path.validate();
+      DcelValidator.validate(path);
       assertThat(snapshot(path)).isEqualTo(before);
     }
   }
@@ -239,12 +239,12 @@ class DcelTest {
       Deque<Runnable> undo = new ArrayDeque<>();
       for (int step = 0; step < 80; step++) {
         undoable(dcel, random).ifPresent(undo::push);
-        dcel.validate();
+        DcelValidator.validate(dcel);
       }
       assertThat(undo).as("seed %d", seed).hasSizeGreaterThan(20);
       while (!undo.isEmpty()) {
         undo.pop().run();
-        dcel.validate();
+        DcelValidator.validate(dcel);
       }
       assertThat(snapshot(dcel)).as("seed %d", seed).isEqualTo(before);
     }
@@ -297,7 +297,7 @@ class DcelTest {
       Dcel dcel = Dcel.cycle(walk(3 + random.nextInt(30)));
       for (int step = 0; step < 300; step++) {
         change(dcel, random);
-        dcel.validate();
+        DcelValidator.validate(dcel);
       }
     }
   }
@@ -344,7 +344,7 @@ class DcelTest {
     assertThat(cycle.canInsertVertex(0, 0)).as("no triangle").isFalse();
     assertThat(cycle.canJoinEdges(0)).isTrue();
     cycle.joinEdges(0);
-    cycle.validate();
+    DcelValidator.validate(cycle);
     int[] digon = {2, 3, 0, 1};
     Dcel twoEdges = Dcel.of(2, HalfEdges.of(digon, new int[] {0, 1, 1, 0}), 1, Progress.NONE);
     assertThat(twoEdges.canJoinEdges(0)).as("both edges to one vertex").isFalse();
@@ -374,9 +374,9 @@ class DcelTest {
     assertThat(snapshot(dcel)).isEqualTo(before);
     Dcel copy = dcel.copy();
     copy.joinFaces(d);
-    copy.validate();
+    DcelValidator.validate(copy);
     assertThat(snapshot(dcel)).isEqualTo(before);
-    dcel.validate();
+    DcelValidator.validate(dcel);
   }
 
   @Test
@@ -387,7 +387,7 @@ class DcelTest {
       joined.joinFaces(2 * edge);
     }
     Dcel closed = rebuilt(joined);
-    closed.validate();
+    DcelValidator.validate(closed);
     assertThat(closed.edgeBound()).isEqualTo(18);
     for (int edge = 0; edge < 18; edge++) {
       int before = edge == 14 ? 19 : edge == 17 ? 18 : edge;
@@ -405,7 +405,7 @@ class DcelTest {
     for (int seed = 0; seed < 300; seed++) {
       Dcel dcel = randomSubdivision(new Random(seed));
       Dcel same = rebuilt(dcel);
-      same.validate();
+      DcelValidator.validate(same);
       assertThat(snapshot(same)).as("seed %d", seed).isEqualTo(snapshot(dcel));
     }
   }
@@ -414,7 +414,7 @@ class DcelTest {
   void ofKeepsIsolatedVertices() {
     int[] next = {2, 0, 3, 1};
     Dcel path = Dcel.of(4, HalfEdges.of(next, new int[] {0, 1, 1, 2}), 0, Progress.NONE);
-    path.validate();
+    DcelValidator.validate(path);
     assertThat(path.degree(3)).isZero();
     assertThat(path.outEdge(3)).isEqualTo(Dcel.NONE);
     assertThat(path.faceCount()).isEqualTo(1);
@@ -425,7 +425,7 @@ class DcelTest {
   @ValueSource(ints = {0, 1, 5})
   void ofKnowsTheEmptyPlane(int vertices) {
     Dcel empty = Dcel.of(vertices, new HalfEdges(0, 0), Dcel.NONE, Progress.NONE);
-    empty.validate();
+    DcelValidator.validate(empty);
     assertThat(empty.edgeCount()).isZero();
     assertThat(empty.faceCount()).isEqualTo(1);
     assertThat(empty.faceEdge(Dcel.OUTER)).isEqualTo(Dcel.NONE);
@@ -439,7 +439,7 @@ class DcelTest {
     for (int k = 2; k < n - 1; k++) {
       a = dcel.splitFace(a, 2 * k); // n − 3 ear cuts, quadratic if the long side were relabelled
     }
-    dcel.validate();
+    DcelValidator.validate(dcel);
     assertThat(dcel.degree(0)).isEqualTo(n - 1);
   }
 

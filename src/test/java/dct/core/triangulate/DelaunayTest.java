@@ -138,7 +138,7 @@ class DelaunayTest {
   private static List<String> edges(double... pairs) {
     Triangulation t =
         Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
-    t.dcel().validate();
+    DcelValidator.validate(t.dcel());
     String[] names = new String[t.edgeCount()];
     for (int e = 0; e < names.length; e++) {
       names[e] = Math.min(t.from(e), t.to(e)) + "–" + Math.max(t.from(e), t.to(e));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.dcel.DcelValidator;
 import dct.core.geometry.Points;
 import dct.core.geometry.Predicates;
 import dct.core.geometry.Sites;
@@ -33,7 +34,7 @@ class MovedSiteTest {
       for (int step = 0; step < 25; step++) {
         int v = drag.innerVertex(random);
         drag.move(v, 0.3 + 0.4 * random.nextDouble(), 0.3 + 0.4 * random.nextDouble());
-        drag.dcel.validate();
+        DcelValidator.validate(drag.dcel);
         assertThat(drag.edges()).as("seed %d, step %d", seed, step).isEqualTo(drag.newEdges());
       }
     }
@@ -58,7 +59,7 @@ class MovedSiteTest {
         double py = 1 + random.nextInt(2 * side - 3);
         if (drag.isFree(px, py)) {
           drag.move(v, px, py);
-          drag.dcel.validate();
+          DcelValidator.validate(drag.dcel);
           assertThat(drag.illegalEdges()).as("seed %d, step %d", seed, step).isZero();
           assertThat(drag.dcel.faceCount()).isEqualTo(drag.newTriangulation().dcel().faceCount());
         }
