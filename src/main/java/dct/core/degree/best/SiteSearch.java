@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.region.MeshExport;
 import dct.core.degree.region.PartSearch;
 import dct.core.degree.region.SearchMesh;
 import dct.core.degree.strip.StripSearch;
@@ -68,7 +69,7 @@ final class SiteSearch {
 
   /** The triangulation as it is now. */
   Triangulation triangulation() {
-    return mesh.toTriangulation(start);
+    return MeshExport.triangulation(mesh, start);
   }
 
   /**

@@ -7,22 +7,29 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 
 /** Turns a {@link SearchMesh} into a triangulation of the sites, in linear time. */
-final class MeshExport {
+public final class MeshExport {
   private final SearchMesh mesh;
-  private final int[] site; // by vertex of the mesh: its number among the sites
   private final int[] half; // by half-edge of the mesh: its number in the result
   private final int[] outward; // by vertex: the half-edge of the outer face that leaves it
   private HalfEdges links;
 
-  MeshExport(SearchMesh mesh, int[] site) {
+  private MeshExport(SearchMesh mesh) {
     this.mesh = mesh;
-    this.site = site;
     half = new int[mesh.corner.length];
     outward = new int[mesh.size()];
   }
 
-  /** The triangulation; its edges are numbered along the triangles of the mesh. */
-  Triangulation toTriangulation(Triangulation start) {
+  /**
+   * The mesh as a triangulation of the sites in their own numbers; its edges are numbered along the
+   * triangles of the mesh.
+   *
+   * @param start the triangulation that the mesh was made of
+   */
+  public static Triangulation triangulation(SearchMesh mesh, Triangulation start) {
+    return new MeshExport(mesh).triangulation(start);
+  }
+
+  private Triangulation triangulation(Triangulation start) {
     links = new HalfEdges(start.edgeCount(), start.edgeCount());
     number();
     int outer = SearchMesh.NONE;
@@ -59,13 +66,13 @@ final class MeshExport {
 
   private void copy(int e) {
     links.link(half[e], half[SearchMesh.next(e)]);
-    links.origin()[half[e]] = site[mesh.corner[e]];
+    links.origin()[half[e]] = mesh.site[mesh.corner[e]];
   }
 
   private int copyOutside(int e) {
     int h = half[e] + 1;
     links.link(h, outward[mesh.corner[e]]);
-    links.origin()[h] = site[mesh.corner[SearchMesh.next(e)]];
+    links.origin()[h] = mesh.site[mesh.corner[SearchMesh.next(e)]];
     return h;
   }
 }

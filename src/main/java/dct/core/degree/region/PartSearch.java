@@ -114,7 +114,7 @@ public final class PartSearch {
       }
     }
     seen.addAll(open);
-    open.setUnmet(seen, mesh);
+    open.setSome(seen, mesh::isUnmet);
   }
 
   /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */

@@ -44,9 +44,9 @@ public final class PolygonImprover {
     try {
       improve(mesh, bound);
     } catch (CancellationException e) {
-      return mesh.toTriangulation(start);
+      return MeshExport.triangulation(mesh, start);
     }
-    return mesh.toTriangulation(start);
+    return MeshExport.triangulation(mesh, start);
   }
 
   private void improve(SearchMesh mesh, int bound) {

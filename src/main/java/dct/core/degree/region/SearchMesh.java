@@ -32,7 +32,7 @@ public final class SearchMesh {
   public final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
   public final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
   private final int[] free; // the vertices of which nothing is wished, in order
-  private final int[] site; // by vertex: its number among the sites
+  final int[] site; // by vertex: its number among the sites
   private final boolean plain; // determinants in floating point have no rounding error
 
   /**
@@ -241,10 +241,5 @@ public final class SearchMesh {
     double dx = x[u] - x[v];
     double dy = y[u] - y[v];
     return dx * dx + dy * dy;
-  }
-
-  /** This mesh as a triangulation of the sites in their own numbers, in linear time. */
-  public Triangulation toTriangulation(Triangulation start) {
-    return new MeshExport(this, site).toTriangulation(start);
   }
 }

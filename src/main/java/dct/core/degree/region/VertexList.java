@@ -1,6 +1,7 @@
 package dct.core.degree.region;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** A growing list of vertices, or of half-edges, reused from round to round. */
@@ -46,13 +47,13 @@ public final class VertexList {
     }
   }
 
-  /** The vertices of that list which are unmet, in order, each once; sorts that list. */
-  void setUnmet(VertexList that, SearchMesh mesh) {
+  /** The vertices of that list which are to be kept, in order, each once; sorts that list. */
+  void setSome(VertexList that, IntPredicate keeps) {
     Arrays.sort(that.items, 0, that.size);
     clear();
     for (int i = 0; i < that.size; i++) {
       int v = that.items[i];
-      if (mesh.isUnmet(v) && (size == 0 || items[size - 1] != v)) {
+      if (keeps.test(v) && (size == 0 || items[size - 1] != v)) {
         add(v);
       }
     }

@@ -54,7 +54,7 @@ class MeshRegionTest {
       Triangulation start = delaunay(shape, 300, 5);
       SearchMesh mesh = mesh(start);
       solveEverywhere(mesh);
-      assertThat(mesh.toTriangulation(start))
+      assertThat(MeshExport.triangulation(mesh, start))
           .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
     }
     for (PolygonShape shape : PolygonShape.values()) {
@@ -62,7 +62,7 @@ class MeshRegionTest {
       Triangulation start = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
       SearchMesh mesh = mesh(start);
       solveEverywhere(mesh);
-      assertThat(mesh.toTriangulation(start)).isTriangulationOf(polygon);
+      assertThat(MeshExport.triangulation(mesh, start)).isTriangulationOf(polygon);
     }
   }
 
@@ -118,6 +118,6 @@ class MeshRegionTest {
     assertThat(region.size()).isGreaterThan(RegionTable.MOST);
     assertThatThrownBy(() -> region.fill(4)).isInstanceOf(CancellationException.class);
     assertThat(mesh.unmet()).isEqualTo(before);
-    assertThat(mesh.toTriangulation(start)).isTriangulationOf(polygon);
+    assertThat(MeshExport.triangulation(mesh, start)).isTriangulationOf(polygon);
   }
 }

@@ -5,9 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.SeededRandom;
-import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.ParityGoal;
 import dct.core.degree.exact.ExactSites;
+import dct.core.degree.region.MeshExport;
 import dct.core.degree.region.SearchMesh;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
@@ -62,7 +63,7 @@ class SweepBeamTest {
     assertThat(moves).as("seed %d", seed).isNotEmpty();
     strip.fill(moves);
     assertThat(mesh.unmet()).as("seed %d", seed).isEqualTo(beam.unmet());
-    return mesh.toTriangulation(start);
+    return MeshExport.triangulation(mesh, start);
   }
 
   @ParameterizedTest
@@ -106,7 +107,7 @@ class SweepBeamTest {
       assertThat(mesh.unmet()).as("seed %d", seed).isEqualTo(before - gain);
     }
     assertThat(mesh.unmet()).isLessThan(goal.unsatisfied(start));
-    TriangulationAssert.assertThat(mesh.toTriangulation(start))
+    TriangulationAssert.assertThat(MeshExport.triangulation(mesh, start))
         .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
   }
 
