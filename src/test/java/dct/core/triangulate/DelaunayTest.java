@@ -3,14 +3,15 @@ package dct.core.triangulate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.dcel.DcelValidator;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
 import dct.core.degree.ScanFlip;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.testing.ForeignDataTest;
-import dct.testing.RandomSets;
 import dct.testing.RandomSets.Family;
+import dct.testing.RandomSets;
 import dct.testing.SharedData;
 import dct.testing.Transforms;
 import dct.testing.TriangulationAssert;
