@@ -12,7 +12,6 @@ import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -70,7 +69,7 @@ public final class AtomicFile {
     } catch (CannotWriteException e) {
       throw e;
     } catch (IOException e) {
-      throw new CannotWriteException(file.toString(), reason(e), e);
+      throw new CannotWriteException(file.toString(), CannotWriteException.reason(e), e);
     }
   }
 
@@ -184,17 +183,5 @@ public final class AtomicFile {
     } catch (AtomicMoveNotSupportedException e) {
       Files.move(aside, target, StandardCopyOption.REPLACE_EXISTING);
     }
-  }
-
-  /** Why something failed, in a few words. */
-  static String reason(IOException e) {
-    if (e instanceof NoSuchFileException) {
-      return "its folder does not exist";
-    }
-    if (e instanceof AccessDeniedException) {
-      return "permission is denied";
-    }
-    String reason = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
-    return reason == null ? e.getClass().getSimpleName() : reason;
   }
 }

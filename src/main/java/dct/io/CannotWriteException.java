@@ -1,6 +1,9 @@
 package dct.io;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 
 /** A file that could not be written; what stood in its place is as it was. */
 public final class CannotWriteException extends IOException {
@@ -19,5 +22,17 @@ public final class CannotWriteException extends IOException {
             + reason
             + "; nothing was changed, choose another place",
         cause);
+  }
+
+  /** Why something failed, in a few words. */
+  static String reason(IOException e) {
+    if (e instanceof NoSuchFileException) {
+      return "its folder does not exist";
+    }
+    if (e instanceof AccessDeniedException) {
+      return "permission is denied";
+    }
+    String reason = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
+    return reason == null ? e.getClass().getSimpleName() : reason;
   }
 }

@@ -73,7 +73,7 @@ public final class FileLease implements Closeable {
     } catch (CannotWriteException e) {
       throw e;
     } catch (IOException e) {
-      throw new CannotWriteException(file.toString(), AtomicFile.reason(e), e);
+      throw new CannotWriteException(file.toString(), CannotWriteException.reason(e), e);
     }
   }
 
