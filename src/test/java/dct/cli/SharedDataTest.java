@@ -33,7 +33,7 @@ class SharedDataTest {
       CliRun check = CliRun.of("check", file, "--as", "points");
       if (check.status() == 3) {
         assertThat(check.err())
-            .isEqualTo(file + ":1: all vertices lie on one line; move at least one off it\n");
+            .isEqualTo(file + ":1: all sites lie on one line; move at least one off it\n");
         assertThat(CliRun.of("triangulate", file, "--as", "points")).isEqualTo(check);
       } else {
         assertThat(check.done().out()).startsWith(file + ": ").contains(" usable sites");
@@ -66,6 +66,7 @@ class SharedDataTest {
     words[3] = result;
     System.arraycopy(options, 0, words, 4, options.length);
     CliRun.of(words).done();
-    assertThat(CliRun.of("verify", result).done().out()).startsWith(result + ": true, ");
+    assertThat(CliRun.of("verify", result, "--input", file).done().out())
+        .startsWith(result + ": verified: ");
   }
 }
