@@ -63,7 +63,7 @@ public final class SetTable {
         "| %s | %d | %d | %d | %s | %.3f | %s |%n",
         words[0],
         sites.size(),
-        best.unsatisfied(),
+        best.unmet(),
         best.bound().value(),
         best.isProven() ? "yes" : "no",
         taken,

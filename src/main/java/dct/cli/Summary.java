@@ -62,7 +62,7 @@ final class Summary {
             : String.format(
                 Locale.ROOT,
                 "; %d of %d wishes granted",
-                best.goal().size() - best.unsatisfied(),
+                best.goal().size() - best.unmet(),
                 best.goal().size());
     return wishes + "; " + best.verdict();
   }

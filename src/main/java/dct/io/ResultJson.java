@@ -187,8 +187,8 @@ public final class ResultJson {
     json.name("boundReason").value(optimum.bound().reason());
     json.name("interrupted").value(optimum.interrupted());
     if (solution.wished().isPresent()) {
-      json.name("satisfied").value(optimum.goal().size() - optimum.unsatisfied());
-      json.name("unsatisfied").value(optimum.unsatisfied());
+      json.name("satisfied").value(optimum.goal().size() - optimum.unmet());
+      json.name("unsatisfied").value(optimum.unmet());
       json.name("unsatisfiedLowerBound").value(optimum.bound().value());
       json.name("wishes").value(WishLetters.of(optimum.goal()));
     }

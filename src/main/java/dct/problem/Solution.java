@@ -85,8 +85,7 @@ public record Solution(
    */
   public Solution optimized(Optimum best, SearchLimits given) {
     Triangulation plain = best.triangulation().plain();
-    Optimum found =
-        new Optimum(plain, best.goal(), best.unsatisfied(), best.bound(), best.interrupted());
+    Optimum found = new Optimum(plain, best.goal(), best.unmet(), best.bound(), best.interrupted());
     return new Solution(instance, method, plain, Optional.empty(), Optional.of(found), given);
   }
 

@@ -124,20 +124,16 @@ public final class Scene {
     if (isOneForAll(best.goal())) {
       return List.of(counts + " — " + best.verdict());
     }
-    int satisfied = best.goal().size() - best.unsatisfied();
+    int granted = best.goal().size() - best.unmet();
     return List.of(
         counts,
         String.format(
-            Locale.ROOT,
-            "Satisfied %d · Unsatisfied %d — %s",
-            satisfied,
-            best.unsatisfied(),
-            best.verdict()));
+            Locale.ROOT, "Granted %d · Unmet %d — %s", granted, best.unmet(), best.verdict()));
   }
 
   private static int[] unmet(Optimum best) {
     return IntStream.range(0, best.goal().size())
-        .filter(v -> !best.goal().isSatisfied(best.triangulation(), v))
+        .filter(v -> !best.goal().isGranted(best.triangulation(), v))
         .toArray();
   }
 

@@ -153,11 +153,7 @@ class ScenePainterTest {
         .containsExactlyInAnyOrder(tuple(Ink.UNMET, 100.0, 100.0), tuple(Ink.UNMET, 300.0, 100.0));
     assertThat(pen.texts())
         .containsExactlyInAnyOrder(
-            "odd",
-            "any",
-            "odd",
-            "Even 3 · Odd 2",
-            "Satisfied 3 · Unsatisfied 2 — optimal (by hand)");
+            "odd", "any", "odd", "Even 3 · Odd 2", "Granted 3 · Unmet 2 — optimal (by hand)");
   }
 
   @Test
@@ -170,9 +166,9 @@ class ScenePainterTest {
 
   private static Scene best(Wish... wishes) {
     ParityGoal goal = ParityGoal.of(wishes);
-    int unsatisfied = goal.unsatisfied(Fixtures.pentagon());
+    int unmet = goal.unmet(Fixtures.pentagon());
     Optimum best =
-        new Optimum(Fixtures.pentagon(), goal, unsatisfied, new LowerBound(2, "by hand"), false);
+        new Optimum(Fixtures.pentagon(), goal, unmet, new LowerBound(2, "by hand"), false);
     return Scene.of(Fixtures.solution().optimized(best, SearchLimits.DEFAULT));
   }
 

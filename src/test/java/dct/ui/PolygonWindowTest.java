@@ -99,7 +99,7 @@ class PolygonWindowTest extends WindowTest {
         .hasSize(2)
         .last()
         .asString()
-        .startsWith("Satisfied 2 · Unsatisfied 2 — optimal (");
+        .startsWith("Granted 2 · Unmet 2 — optimal (");
     boolean first = result.canvas().scene().ink(0) == Ink.ODD;
     double right = 9 / onEventThread(() -> result.canvas().viewport().scale());
     requireInk(result.canvas(), Ink.UNMET, (first ? 500 : 100) + right, 100);

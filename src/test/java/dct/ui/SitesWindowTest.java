@@ -94,10 +94,10 @@ class SitesWindowTest extends WindowTest {
     await("the optimum", () -> canvas().scene().counts().get(0).contains("— optimal ("));
     requireShown(canvas(), optimum(ParityGoal.allEven(SITES.length / 2)).triangulation());
     type(KeyEvent.VK_O, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
-    int unsatisfied = optimum(ParityGoal.allOdd(SITES.length / 2)).unsatisfied();
+    int unmet = optimum(ParityGoal.allOdd(SITES.length / 2)).unmet();
     await(
         "the most odd sites",
-        () -> canvas().scene().counts().get(0).startsWith("Even " + unsatisfied + " "));
+        () -> canvas().scene().counts().get(0).startsWith("Even " + unmet + " "));
   }
 
   private static Optimum optimum(ParityGoal goal) {
@@ -120,7 +120,7 @@ class SitesWindowTest extends WindowTest {
     assertThat(message(dialog)).isEqualTo("Wished: even 1 · odd 1 · any 1.");
     answer(dialog, "Triangulate");
     await("the result", () -> canvas().scene().counts().size() == 2);
-    assertThat(canvas().scene().counts().get(1)).startsWith("Satisfied 2 · Unsatisfied 1 — ");
+    assertThat(canvas().scene().counts().get(1)).startsWith("Granted 2 · Unmet 1 — ");
     requireInk(canvas(), Ink.UNMET, 191.5, 200);
     type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
     assertThat(onEventThread(() -> window.workbench().document().wishes()))

@@ -1,7 +1,7 @@
 package dct.core.degree;
 
 /**
- * A number that the count of unsatisfied vertices cannot go below, and why.
+ * A number that the count of unmet vertices cannot go below, and why.
  *
  * @param value the number
  * @param reason one clause for a person: {@code 12 hull sites, 12 ≡ 0 mod 3}

@@ -8,14 +8,14 @@ import java.util.Locale;
  *
  * @param triangulation the triangulation
  * @param goal what was wished
- * @param unsatisfied how many vertices do not have the parity wished
+ * @param unmet how many vertices do not have the parity wished
  * @param bound the best lower bound that was proven for that number
  * @param interrupted whether a time limit or the user ended the search early
  */
 public record Optimum(
     Triangulation triangulation,
     ParityGoal goal,
-    int unsatisfied,
+    int unmet,
     LowerBound bound,
     boolean interrupted) {
 
@@ -40,8 +40,8 @@ public record Optimum(
     return "Best so far: " + unmet + " unmet";
   }
 
-  /** Whether no triangulation can satisfy more: the bound is attained. */
+  /** Whether no triangulation can grant more: the bound is attained. */
   public boolean isProven() {
-    return unsatisfied == bound.value();
+    return unmet == bound.value();
   }
 }

@@ -16,8 +16,8 @@ public final class ParityGoal {
     ODD,
     ANY;
 
-    /** Whether a vertex of this degree satisfies the wish. */
-    public boolean isSatisfiedBy(int degree) {
+    /** Whether the wish of a vertex of this degree is granted. */
+    public boolean isGrantedBy(int degree) {
       return this == ANY || (degree & 1) == (this == ODD ? 1 : 0);
     }
   }
@@ -101,17 +101,17 @@ public final class ParityGoal {
   }
 
   /** Whether vertex v has the parity wished in this triangulation. */
-  public boolean isSatisfied(Triangulation triangulation, int v) {
-    return wishes[v].isSatisfiedBy(triangulation.degree(v));
+  public boolean isGranted(Triangulation triangulation, int v) {
+    return wishes[v].isGrantedBy(triangulation.degree(v));
   }
 
   /** How many vertices do not have the parity wished, in linear time. */
-  public int unsatisfied(Triangulation triangulation) {
-    int unsatisfied = 0;
+  public int unmet(Triangulation triangulation) {
+    int unmet = 0;
     for (int v = 0; v < wishes.length; v++) {
-      unsatisfied += isSatisfied(triangulation, v) ? 0 : 1;
+      unmet += isGranted(triangulation, v) ? 0 : 1;
     }
-    return unsatisfied;
+    return unmet;
   }
 
   @Override

@@ -73,7 +73,7 @@ public final class PointsStudy implements Study {
     counts.put(PointsColumns.REPEATED, often.last().counts().even());
     counts.put(PointsColumns.REPEATED_FLIPS, often.flips());
     counts.put(PointsColumns.SCANS, often.scans());
-    counts.put(StudyRow.BEST, sites.size() - best.unsatisfied());
+    counts.put(StudyRow.BEST, sites.size() - best.unmet());
     counts.put(StudyRow.LIMIT, sites.size() - best.bound().value());
     return new StudyRow(trial, counts, laps.millis());
   }

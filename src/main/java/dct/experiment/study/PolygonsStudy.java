@@ -88,7 +88,7 @@ public final class PolygonsStudy implements Study {
     }
     Optimum best = laps.time("best", () -> best(instance, progress));
     progress.checkCancelled(); // what a search found until then is no row
-    counts.put(StudyRow.BEST, instance.size() - best.unsatisfied());
+    counts.put(StudyRow.BEST, instance.size() - best.unmet());
     counts.put(StudyRow.LIMIT, instance.size() - best.bound().value());
     return new StudyRow(trial, counts, laps.millis());
   }

@@ -72,7 +72,7 @@ final class BoundClaim {
     Instance instance = stored.instance().with(wishes(n));
     int unmet = 0;
     for (int v = 0; v < n; v++) {
-      unmet += instance.wishes().wish(v).isSatisfiedBy(stored.graph().degree(v)) ? 0 : 1;
+      unmet += instance.wishes().wish(v).isGrantedBy(stored.graph().degree(v)) ? 0 : 1;
     }
     claim("unsatisfied", unmet);
     claim("satisfied", n - unmet);

@@ -86,7 +86,7 @@ public final class Restoration {
     Triangulation best = plain.triangulation();
     boolean interrupted = claims.flag("interrupted").orElse(false);
     return Solution.of(plain.instance().with(goal), plain.method(), best)
-        .optimized(new Optimum(best, goal, goal.unsatisfied(best), bound, interrupted), limits());
+        .optimized(new Optimum(best, goal, goal.unmet(best), bound, interrupted), limits());
   }
 
   private SearchLimits limits() {

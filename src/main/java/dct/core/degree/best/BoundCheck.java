@@ -72,7 +72,7 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
 
   private static BoundCheck judge(Optimum found, int claimed, Progress progress) {
     progress.checkCancelled();
-    int unmet = found.unsatisfied();
+    int unmet = found.unmet();
     if (unmet < claimed) {
       String reason = found.isProven() ? found.bound().reason() : "a triangulation found";
       return new BoundCheck(Verdict.FALSE, new LowerBound(unmet, reason));

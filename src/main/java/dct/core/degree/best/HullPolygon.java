@@ -71,6 +71,6 @@ final class HullPolygon {
     Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), outer, Progress.NONE);
     Triangulation triangulation =
         new Triangulation(sites.domain(), sites.points(), named, edge -> EdgeKind.DIAGONAL);
-    return new Optimum(triangulation, goal, best.unsatisfied(), best.bound(), false);
+    return new Optimum(triangulation, goal, best.unmet(), best.bound(), false);
   }
 }

@@ -95,7 +95,7 @@ public final class PolygonOptimizer {
   private static Optimum aqt(SimplePolygon polygon, ParityGoal goal, Progress progress) {
     Triangulation made = Aqt.triangulate(polygon, progress);
     LowerBound bound = PolygonBounds.of(polygon.size(), goal);
-    return new Optimum(made, goal, goal.unsatisfied(made), bound, false);
+    return new Optimum(made, goal, goal.unmet(made), bound, false);
   }
 
   // ---- the table
@@ -122,7 +122,7 @@ public final class PolygonOptimizer {
   }
 
   private static Optimum proven(Triangulation exact, ParityGoal goal) {
-    int unmet = goal.unsatisfied(exact);
+    int unmet = goal.unmet(exact);
     LowerBound bound =
         PolygonBounds.of(goal.size(), goal)
             .max(new LowerBound(unmet, "exact table over all triangulations"));
@@ -146,7 +146,7 @@ public final class PolygonOptimizer {
   }
 
   private Optimum found(boolean interrupted) {
-    return new Optimum(best, goal, goal.unsatisfied(best), bound, interrupted);
+    return new Optimum(best, goal, goal.unmet(best), bound, interrupted);
   }
 
   /** The best of what the thesis's own algorithms make of the polygon. */
@@ -160,6 +160,6 @@ public final class PolygonOptimizer {
   }
 
   private void take(Triangulation other) {
-    best = goal.unsatisfied(other) < goal.unsatisfied(best) ? other : best;
+    best = goal.unmet(other) < goal.unmet(best) ? other : best;
   }
 }

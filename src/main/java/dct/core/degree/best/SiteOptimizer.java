@@ -64,7 +64,7 @@ public final class SiteOptimizer {
     user = progress;
     clock = new Deadline(progress, limits.seconds());
     best = start;
-    unmet = goal.unsatisfied(start);
+    unmet = goal.unmet(start);
   }
 
   /**
@@ -150,7 +150,7 @@ public final class SiteOptimizer {
         isOpen(search) ? LatticeStarts.of(start, clock) : List.of();
     for (Supplier<Triangulation> other : lattice) {
       Triangulation made = other.get();
-      if (goal.unsatisfied(made) <= bound.value()) {
+      if (goal.unmet(made) <= bound.value()) {
         return searchFrom(made);
       }
     }
@@ -167,7 +167,7 @@ public final class SiteOptimizer {
   }
 
   private void take(Triangulation found) {
-    int count = goal.unsatisfied(found);
+    int count = goal.unmet(found);
     if (count <= unmet) {
       best = found;
       unmet = count;
@@ -184,7 +184,7 @@ public final class SiteOptimizer {
     exact.ifPresent(
         optimum -> {
           best = optimum.triangulation();
-          unmet = optimum.unsatisfied();
+          unmet = optimum.unmet();
           bound = bound.max(optimum.bound());
         });
     return exact.isPresent();

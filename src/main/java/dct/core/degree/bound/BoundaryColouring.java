@@ -67,7 +67,7 @@ public final class BoundaryColouring {
 
   /** What a degree costs: 1 if it misses the wish, or else 0. */
   public static int penalty(Wish wish, int degree) {
-    return wish.isSatisfiedBy(degree) ? 0 : 1;
+    return wish.isGrantedBy(degree) ? 0 : 1;
   }
 
   /** The bound for sites. */

@@ -89,7 +89,7 @@ public final class SiteBounds {
   }
 
   private static LowerBound onePath(Triangulation triangulation, ParityGoal goal) {
-    return new LowerBound(goal.unsatisfied(triangulation), "all sites on one line");
+    return new LowerBound(goal.unmet(triangulation), "all sites on one line");
   }
 
   private static SiteBounds linear(Triangulation triangulation, ParityGoal goal) {

@@ -9,7 +9,7 @@ import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 
 /**
- * The triangulation of a few sites that satisfies the most wishes: proven, for every goal.
+ * The triangulation of a few sites that grants the most wishes: proven, for every goal.
  *
  * <p>Takes any triangulation of the sites, which may be degenerate in every way. Returns one with
  * the least number of unmet sites among all triangulations, with that number as its bound.
@@ -80,7 +80,7 @@ public final class ExactSites {
           goal.size() + " wishes, " + start.vertexCount() + " sites: too many or not as many");
     }
     Triangulation best = isPath(start) ? start : sweep(start, goal, progress);
-    int unmet = goal.unsatisfied(best);
+    int unmet = goal.unmet(best);
     return new Optimum(best, goal, unmet, bound(best, unmet), false);
   }
 

@@ -51,8 +51,8 @@ public final class ParityTable extends ChordTable {
   public static int[] costs(ParityGoal.Wish[] wishes) {
     int[] costs = new int[2 * wishes.length];
     for (int k = 0; k < wishes.length; k++) {
-      costs[2 * k] = wishes[k].isSatisfiedBy(1) ? 0 : 1; // one edge more than triangles
-      costs[2 * k + 1] = wishes[k].isSatisfiedBy(0) ? 0 : 1;
+      costs[2 * k] = wishes[k].isGrantedBy(1) ? 0 : 1; // one edge more than triangles
+      costs[2 * k + 1] = wishes[k].isGrantedBy(0) ? 0 : 1;
     }
     return costs;
   }

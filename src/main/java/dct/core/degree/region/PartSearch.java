@@ -4,9 +4,9 @@ import dct.core.Progress;
 import dct.core.SeededRandom;
 
 /**
- * Makes vertices satisfied in one part of a {@link SearchMesh}: those numbered from {@code lo} to
- * {@code hi} − 1, an unbroken stretch of the Hilbert curve. Triangles with a corner elsewhere stay,
- * so that parts can be searched at the same time.
+ * Grants the wishes of vertices in one part of a {@link SearchMesh}: those numbered from {@code lo}
+ * to {@code hi} − 1, an unbroken stretch of the Hilbert curve. Triangles with a corner elsewhere
+ * stay, so that parts can be searched at the same time.
  *
  * <p>{@link #sweep} re-solves a region around each unmet vertex. {@link #pairUp} walks each vertex
  * that is left towards another one, or towards one of which nothing is wished, until the two meet

@@ -35,9 +35,9 @@ class BestTriangulationTest {
         Optimum best = BestTriangulation.of(delaunay, goal, SearchLimits.DEFAULT, Progress.NONE);
 
         assertThat(best.triangulation()).isTriangulationOf(sites);
-        assertThat(best.unsatisfied())
+        assertThat(best.unmet())
             .as("set %d, %d sites: %s", set, n, best.bound())
-            .isEqualTo(goal.unsatisfied(best.triangulation()))
+            .isEqualTo(goal.unmet(best.triangulation()))
             .isEqualTo(best.bound().value());
         table.append(
             "%4d %4d %7d %10d %5d %6d%n"
@@ -46,7 +46,7 @@ class BestTriangulationTest {
                     n,
                     DegreeCount.of(delaunay).odd(),
                     DegreeCount.of(ScanFlip.run(delaunay, Progress.NONE).after()).odd(),
-                    best.unsatisfied(),
+                    best.unmet(),
                     best.bound().value()));
       }
     }

@@ -64,10 +64,10 @@ class BoundCheckTest {
       SimplePolygon polygon = SimplePolygon.of(family.make(30, seed), NONE);
       ParityGoal goal = ParityGoal.allEven(polygon.size());
       Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE);
-      for (int claimed : new int[] {best.unsatisfied(), best.unsatisfied() + 2}) {
+      for (int claimed : new int[] {best.unmet(), best.unmet() + 2}) {
         assertThat(BoundCheck.of(polygon, goal, claimed, NONE).verdict())
-            .as("%s, seed %d: %d of %d", family, seed, claimed, best.unsatisfied())
-            .isEqualTo(expected(claimed, best.unsatisfied()));
+            .as("%s, seed %d: %d of %d", family, seed, claimed, best.unmet())
+            .isEqualTo(expected(claimed, best.unmet()));
       }
     }
   }
@@ -77,7 +77,7 @@ class BoundCheckTest {
   void aSearchThatDoesBetterRefutesAnInventedBound() {
     Sites sites = Sites.of(RandomSites.uniform(50, 3), NONE);
     ParityGoal goal = ParityGoal.allEven(50);
-    int invented = goal.unsatisfied(ScanFlip.run(Delaunay.triangulate(sites, NONE), NONE).after());
+    int invented = goal.unmet(ScanFlip.run(Delaunay.triangulate(sites, NONE), NONE).after());
     BoundCheck check = BoundCheck.of(sites, goal, invented, NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.FALSE);
     assertThat(check.recomputed().value()).isLessThan(invented);
@@ -87,7 +87,7 @@ class BoundCheckTest {
   void aLargePolygonIsDecidedToo() {
     SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(1600, new Random(5)), NONE);
     ParityGoal goal = ParityGoal.allEven(1600);
-    int least = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE).unsatisfied();
+    int least = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE).unmet();
     assertThat(BoundCheck.of(polygon, goal, least, NONE).verdict()).isEqualTo(Verdict.RECOMPUTED);
     assertThat(BoundCheck.of(polygon, goal, least + 2, NONE).verdict()).isEqualTo(Verdict.FALSE);
   }

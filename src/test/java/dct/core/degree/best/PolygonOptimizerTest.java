@@ -36,7 +36,7 @@ class PolygonOptimizerTest {
   private static Optimum optimize(SimplePolygon polygon, ParityGoal goal) {
     Optimum optimum = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
     assertThat(optimum.triangulation()).isTriangulationOf(polygon);
-    assertThat(optimum.unsatisfied()).isEqualTo(goal.unsatisfied(optimum.triangulation()));
+    assertThat(optimum.unmet()).isEqualTo(goal.unmet(optimum.triangulation()));
     return optimum;
   }
 
@@ -50,7 +50,7 @@ class PolygonOptimizerTest {
           SimplePolygon polygon = SimplePolygon.of(points, Progress.NONE);
           for (ParityGoal goal : goals(points.size(), random)) {
             Optimum optimum = optimize(polygon, goal);
-            assertThat(optimum.unsatisfied())
+            assertThat(optimum.unmet())
                 .as("%s, seed %d, %d vertices", family, seed, points.size())
                 .isEqualTo(fewestByBruteForce(polygon, goal));
             assertThat(optimum.isProven()).isTrue();
@@ -77,12 +77,12 @@ class PolygonOptimizerTest {
     EveryTriangulation.of(
         polygon,
         degrees -> {
-          int unsatisfied = 0;
+          int unmet = 0;
           for (int k = 0; k < degrees.length; k++) {
-            boolean satisfied = goal.wish(polygon.vertex(k)).isSatisfiedBy(degrees[k]);
-            unsatisfied += satisfied ? 0 : 1;
+            boolean satisfied = goal.wish(polygon.vertex(k)).isGrantedBy(degrees[k]);
+            unmet += satisfied ? 0 : 1;
           }
-          fewest.accumulateAndGet(unsatisfied, Math::min);
+          fewest.accumulateAndGet(unmet, Math::min);
         });
     return fewest.get();
   }
@@ -96,7 +96,7 @@ class PolygonOptimizerTest {
       PolygonShape shape = PolygonShape.of(row[0]).orElseThrow();
       SimplePolygon polygon = shape.generate(Integer.parseInt(row[1]), Long.parseLong(row[2]));
       Optimum optimum = optimize(polygon, ParityGoal.allEven(polygon.size()));
-      assertThat(optimum.unsatisfied()).as("%s", List.of(row)).isEqualTo(Integer.parseInt(row[3]));
+      assertThat(optimum.unmet()).as("%s", List.of(row)).isEqualTo(Integer.parseInt(row[3]));
       assertThat(optimum.isProven()).isTrue();
     }
   }
@@ -111,7 +111,7 @@ class PolygonOptimizerTest {
       if (columns[0].startsWith("polygons/") && !columns[3].equals("-")) {
         Path file = table.resolveSibling(columns[0]);
         SimplePolygon polygon = SimplePolygon.of(SharedData.read(file), Progress.NONE);
-        assertThat(optimize(polygon, ParityGoal.allEven(polygon.size())).unsatisfied())
+        assertThat(optimize(polygon, ParityGoal.allEven(polygon.size())).unmet())
             .as(columns[0])
             .isEqualTo(Integer.parseInt(columns[3]));
         compared++;
@@ -127,7 +127,7 @@ class PolygonOptimizerTest {
           SimplePolygon.of(RandomPolygons.convex(n, new Random(n)), Progress.NONE);
       int size = polygon.size();
       Optimum optimum = optimize(polygon, ParityGoal.allEven(size));
-      assertThat(optimum.unsatisfied()).isEqualTo(size % 3 == 0 ? 0 : 2);
+      assertThat(optimum.unmet()).isEqualTo(size % 3 == 0 ? 0 : 2);
       assertThat(optimum.isProven()).isTrue();
     }
   }
@@ -171,9 +171,9 @@ class PolygonOptimizerTest {
     Triangulation pieces = PartitioningAqt.triangulate(polygon, Progress.NONE);
     Triangulation clipped = EarClipping.triangulate(polygon, Progress.NONE);
     return IntStream.of(
-            goal.unsatisfied(ScanFlip.run(monotone, Progress.NONE).after()),
-            goal.unsatisfied(ScanFlip.run(pieces, Progress.NONE).after()),
-            goal.unsatisfied(ScanFlip.run(clipped, Progress.NONE).after()))
+            goal.unmet(ScanFlip.run(monotone, Progress.NONE).after()),
+            goal.unmet(ScanFlip.run(pieces, Progress.NONE).after()),
+            goal.unmet(ScanFlip.run(clipped, Progress.NONE).after()))
         .min()
         .getAsInt();
   }
@@ -190,10 +190,10 @@ class PolygonOptimizerTest {
       Triangulation improved = improver.run(monotone, 0);
 
       assertThat(improved).isTriangulationOf(polygon);
-      assertThat(goal.unsatisfied(improved))
+      assertThat(goal.unmet(improved))
           .as("seed %d", seed)
           .isLessThanOrEqualTo(thesisBest(polygon, goal))
-          .isLessThanOrEqualTo(optimize(polygon, goal).unsatisfied() + points.size() / 100);
+          .isLessThanOrEqualTo(optimize(polygon, goal).unmet() + points.size() / 100);
     }
   }
 
@@ -233,8 +233,8 @@ class PolygonOptimizerTest {
       try {
         Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, cancelled);
         assertThat(best.triangulation()).isTriangulationOf(polygon);
-        assertThat(best.unsatisfied()).isLessThanOrEqualTo(last);
-        last = best.unsatisfied();
+        assertThat(best.unmet()).isLessThanOrEqualTo(last);
+        last = best.unmet();
       } catch (CancellationException e) {
         assertThat(questions).as("before there is a triangulation").isLessThan(40);
       }

@@ -58,7 +58,7 @@ class SiteOptimizerTest {
 
   private static void requireSound(Optimum best, Sites sites) {
     TriangulationAssert.assertThat(best.triangulation()).isTriangulationOf(sites);
-    assertThat(best.unsatisfied()).isEqualTo(recount(best.triangulation(), best.goal()));
+    assertThat(best.unmet()).isEqualTo(recount(best.triangulation(), best.goal()));
   }
 
   /** Counts the degrees from the edges, without the topology's own degrees. */
@@ -68,11 +68,11 @@ class SiteOptimizerTest {
       degree[t.from(edge)]++;
       degree[t.to(edge)]++;
     }
-    int unsatisfied = 0;
+    int unmet = 0;
     for (int v = 0; v < degree.length; v++) {
-      unsatisfied += goal.wish(v).isSatisfiedBy(degree[v]) ? 0 : 1;
+      unmet += goal.wish(v).isGrantedBy(degree[v]) ? 0 : 1;
     }
-    return unsatisfied;
+    return unmet;
   }
 
   @ParameterizedTest
@@ -81,7 +81,7 @@ class SiteOptimizerTest {
     Sites sites = uniform(n, seed);
     LowerBound bound = evenBound(delaunay(sites));
     Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), bound);
-    assertThat(best.unsatisfied()).as("seed %d", seed).isEqualTo(bound.value());
+    assertThat(best.unmet()).as("seed %d", seed).isEqualTo(bound.value());
     assertThat(best.isProven()).isTrue();
     assertThat(best.interrupted()).isFalse();
   }
@@ -91,7 +91,7 @@ class SiteOptimizerTest {
     Sites sites = uniform(40_000, 8);
     LowerBound bound = evenBound(delaunay(sites));
     Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), bound);
-    assertThat(best.unsatisfied()).isEqualTo(bound.value());
+    assertThat(best.unmet()).isEqualTo(bound.value());
   }
 
   @ParameterizedTest
@@ -101,7 +101,7 @@ class SiteOptimizerTest {
     int parity = sites.size() % 2;
     Optimum best =
         optimize(sites, ParityGoal.allOdd(sites.size()), new LowerBound(parity, "handshake"));
-    assertThat(best.unsatisfied()).isEqualTo(parity);
+    assertThat(best.unmet()).isEqualTo(parity);
   }
 
   @ParameterizedTest
@@ -125,7 +125,7 @@ class SiteOptimizerTest {
             sites,
             ParityGoal.of(shuffled.toArray(new ParityGoal.Wish[0])),
             new LowerBound(odd % 2, "handshake"));
-    assertThat(best.unsatisfied()).as("seed %d", seed).isEqualTo(odd % 2);
+    assertThat(best.unmet()).as("seed %d", seed).isEqualTo(odd % 2);
   }
 
   @ParameterizedTest
@@ -135,9 +135,7 @@ class SiteOptimizerTest {
     ParityGoal.Wish[] wishes = new ParityGoal.Wish[sites.size()];
     Arrays.fill(wishes, ParityGoal.Wish.ODD);
     wishes[17] = ParityGoal.Wish.ANY;
-    assertThat(optimize(sites, ParityGoal.of(wishes), NONE).unsatisfied())
-        .as("seed %d", seed)
-        .isZero();
+    assertThat(optimize(sites, ParityGoal.of(wishes), NONE).unmet()).as("seed %d", seed).isZero();
   }
 
   @ParameterizedTest
@@ -200,7 +198,7 @@ class SiteOptimizerTest {
     Sites sites = uniform(200, 1);
     Triangulation start = delaunay(sites);
     ParityGoal goal = ParityGoal.allEven(sites.size());
-    LowerBound weak = new LowerBound(goal.unsatisfied(start), "as it is");
+    LowerBound weak = new LowerBound(goal.unmet(start), "as it is");
     Optimum best = SiteOptimizer.optimize(start, goal, weak, SearchLimits.DEFAULT, Progress.NONE);
     assertThat(best.triangulation()).isSameAs(start);
     assertThat(best.isProven()).isTrue();
@@ -226,9 +224,9 @@ class SiteOptimizerTest {
         Triangulation start = delaunay(sites);
         ParityGoal goal = ParityGoal.allEven(sites.size());
         Optimum best = optimize(sites, goal, NONE);
-        assertThat(best.unsatisfied())
+        assertThat(best.unmet())
             .as("%s, n = %d, seed 11", family, n)
-            .isLessThanOrEqualTo(goal.unsatisfied(start));
+            .isLessThanOrEqualTo(goal.unmet(start));
       }
     }
   }
@@ -238,7 +236,7 @@ class SiteOptimizerTest {
     Sites sites = uniform(500, 2);
     Optimum best = cancelledAfter(sites, 0);
     assertThat(best.interrupted()).isTrue();
-    assertThat(best.unsatisfied()).isEqualTo(best.goal().unsatisfied(delaunay(sites)));
+    assertThat(best.unmet()).isEqualTo(best.goal().unmet(delaunay(sites)));
   }
 
   @ParameterizedTest
@@ -249,7 +247,7 @@ class SiteOptimizerTest {
       Optimum best = cancelledAfter(sites, looks);
       requireSound(best, sites);
       assertThat(best.interrupted()).isTrue();
-      assertThat(best.unsatisfied()).isLessThan(best.goal().unsatisfied(delaunay(sites)));
+      assertThat(best.unmet()).isLessThan(best.goal().unmet(delaunay(sites)));
     }
   }
 
@@ -279,8 +277,7 @@ class SiteOptimizerTest {
     Optimum best = SiteOptimizer.optimize(start, goal, NONE, none, Progress.NONE);
     requireSound(best, sites);
     assertThat(best.interrupted()).isTrue();
-    assertThat(best.unsatisfied())
-        .isEqualTo(goal.unsatisfied(ScanFlip.run(start, Progress.NONE).after()));
+    assertThat(best.unmet()).isEqualTo(goal.unmet(ScanFlip.run(start, Progress.NONE).after()));
   }
 
   /** 23 sites, 20 of them on one side of the hull. */
@@ -322,13 +319,13 @@ class SiteOptimizerTest {
     for (Sites sites : ofEveryKind()) {
       Triangulation start = delaunay(sites);
       ParityGoal goal = ParityGoal.allEven(sites.size());
-      int flipped = goal.unsatisfied(ScanFlip.run(start, Progress.NONE).after());
+      int flipped = goal.unmet(ScanFlip.run(start, Progress.NONE).after());
       for (int looks = 1; looks < 3000; looks += 1 + looks / 4) {
         Optimum best = cancelledAfter(sites, looks);
         requireSound(best, sites);
-        int allowed = looks < 3 ? goal.unsatisfied(start) : flipped;
-        assertThat(best.unsatisfied()).as("after %d", looks).isLessThanOrEqualTo(allowed);
-        assertThat(best.unsatisfied()).isGreaterThanOrEqualTo(best.bound().value());
+        int allowed = looks < 3 ? goal.unmet(start) : flipped;
+        assertThat(best.unmet()).as("after %d", looks).isLessThanOrEqualTo(allowed);
+        assertThat(best.unmet()).isGreaterThanOrEqualTo(best.bound().value());
         assertThat(best.interrupted() && best.isProven()).isFalse();
       }
     }
@@ -388,7 +385,7 @@ class SiteOptimizerTest {
         for (int turns = 0; turns < 2; turns++) {
           Sites sites = latticeTriangle(k, turns, mirror, shear);
           Optimum best = optimize(sites, ParityGoal.allEven(sites.size()), NONE);
-          assertThat(best.unsatisfied())
+          assertThat(best.unmet())
               .as("%d, shear %d, mirror %d, turns %d", k, shear, mirror, turns)
               .isZero();
         }
@@ -414,7 +411,7 @@ class SiteOptimizerTest {
           PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
       Optimum asSites = optimize(sites, goal, NONE);
       assertThat(asSites.isProven()).as("%d: %s", onSide, asSites.verdict()).isTrue();
-      assertThat(asSites.unsatisfied()).isEqualTo(asPolygon.unsatisfied());
+      assertThat(asSites.unmet()).isEqualTo(asPolygon.unmet());
     }
   }
 

@@ -40,7 +40,7 @@ class PolygonBoundsTest {
     for (int set : oddSets) {
       int missed = 0;
       for (int v = 0; v < goal.size(); v++) {
-        missed += goal.wish(v).isSatisfiedBy(set >> v & 1) ? 0 : 1;
+        missed += goal.wish(v).isGrantedBy(set >> v & 1) ? 0 : 1;
       }
       least = Math.min(least, missed);
     }

@@ -55,7 +55,7 @@ class SmallSetsTest {
       }
       Optimum optimum = ExactSites.optimize(start, goal, Progress.NONE);
       TriangulationAssert.assertThat(optimum.triangulation()).isTriangulationOf(sites);
-      assertThat(goal.unsatisfied(optimum.triangulation())).as(what).isEqualTo(least);
+      assertThat(goal.unmet(optimum.triangulation())).as(what).isEqualTo(least);
       assertThat(optimum.isProven()).as(what).isTrue();
     }
   }

@@ -50,7 +50,7 @@ class WindowBoundTest {
       Triangulation start = Delaunay.triangulate(sites, Progress.NONE);
       ParityGoal goal = ParityGoal.allEven(sites.size());
       if (start.triangleCount() > 0 && sites.size() <= ExactSites.ALWAYS) {
-        int least = ExactSites.optimize(start, goal, Progress.NONE).unsatisfied();
+        int least = ExactSites.optimize(start, goal, Progress.NONE).unmet();
         int value = bound(start).value();
         assertThat(value).as("%s, seed %d", family, seed).isLessThanOrEqualTo(least);
         attained += value == least ? 1 : 0;

@@ -32,7 +32,7 @@ class ExactSitesTest {
     assertThat(optimum.isProven()).isTrue();
     assertThat(optimum.interrupted()).isFalse();
     assertThat(optimum.bound().reason()).isEqualTo("every triangulation of 16 sites searched");
-    assertThat(optimum.unsatisfied()).isEqualTo(DegreeCount.of(optimum.triangulation()).odd());
+    assertThat(optimum.unmet()).isEqualTo(DegreeCount.of(optimum.triangulation()).odd());
   }
 
   @Test
@@ -56,7 +56,7 @@ class ExactSitesTest {
     Triangulation lattice =
         Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
     assertThat(ExactSites.canSolve(lattice)).isTrue();
-    assertThat(ExactSites.optimize(lattice, ParityGoal.allEven(20), Progress.NONE).unsatisfied())
+    assertThat(ExactSites.optimize(lattice, ParityGoal.allEven(20), Progress.NONE).unmet())
         .isEqualTo(2);
   }
 
@@ -67,7 +67,7 @@ class ExactSitesTest {
             Sites.of(Points.ofPairs(0, 0, 1, 1, 2, 2), Progress.NONE), Progress.NONE);
     Optimum optimum = ExactSites.optimize(path, ParityGoal.allEven(3), Progress.NONE);
     assertThat(optimum.triangulation()).isSameAs(path);
-    assertThat(optimum.unsatisfied()).isEqualTo(2);
+    assertThat(optimum.unmet()).isEqualTo(2);
   }
 
   @Test

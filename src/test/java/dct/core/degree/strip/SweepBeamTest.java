@@ -77,9 +77,9 @@ class SweepBeamTest {
         Triangulation best = solved(start, goal, random.nextInt(4), WIDE, seed);
         TriangulationAssert.assertThat(best)
             .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
-        assertThat(goal.unsatisfied(best))
+        assertThat(goal.unmet(best))
             .as("side %d, seed %d", side, seed)
-            .isEqualTo(ExactSites.optimize(start, goal, Progress.NONE).unsatisfied());
+            .isEqualTo(ExactSites.optimize(start, goal, Progress.NONE).unmet());
       }
     }
   }
@@ -106,7 +106,7 @@ class SweepBeamTest {
       assertThat(gain).as("seed %d", seed).isNotNegative();
       assertThat(mesh.unmet()).as("seed %d", seed).isEqualTo(before - gain);
     }
-    assertThat(mesh.unmet()).isLessThan(goal.unsatisfied(start));
+    assertThat(mesh.unmet()).isLessThan(goal.unmet(start));
     TriangulationAssert.assertThat(MeshExport.triangulation(mesh, start))
         .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
   }
