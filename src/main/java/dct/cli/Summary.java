@@ -3,7 +3,6 @@ package dct.cli;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
-import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
 import dct.problem.Solution;
@@ -33,7 +32,7 @@ final class Summary {
         "%s: %d %s%s, %s: %d edges, %d triangles",
         instance.name(),
         instance.size(),
-        instance.domain() == Domain.POLYGON ? "vertices" : "sites",
+        instance.domain().vertices(),
         instance.mergedRemark(),
         solution.method().word(),
         made.edgeCount(),

@@ -3,7 +3,6 @@ package dct.cli;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import dct.core.Progress;
-import dct.core.triangulate.Domain;
 import dct.io.BadInputException;
 import dct.io.PointDocument;
 import dct.io.PointFile;
@@ -98,7 +97,7 @@ final class VerifyCommand extends Verb {
     text.append(
         verdict.outcome() == Outcome.TRUE ? "verified: " : "true as far as it could be verified: ");
     text.append(claims.points().size());
-    text.append(claims.domain().orElseThrow() == Domain.POLYGON ? " vertices" : " sites");
+    text.append(' ').append(claims.domain().orElseThrow().vertices());
     text.append(" triangulated by ").append(claims.text("algorithm").orElseThrow());
     text.append(", ").append(claims.whole("even").orElseThrow()).append(" even");
     text.append(", ").append(claims.whole("odd").orElseThrow()).append(" odd");

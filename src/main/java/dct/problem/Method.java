@@ -22,6 +22,7 @@ import java.util.Optional;
 public enum Method {
   MONOTONE(
       Domain.POLYGON,
+      Promise.MONOTONE_PIECES,
       "monotone",
       "Monotone",
       "Monotone Polygon Triangulation",
@@ -29,6 +30,7 @@ public enum Method {
       "Cuts the polygon into monotone pieces and triangulates each"),
   EAR_CLIPPING(
       Domain.POLYGON,
+      Promise.TRIANGULATION,
       "ear-clipping",
       "Ear clipping",
       "Ear Clipping Triangulation",
@@ -36,6 +38,7 @@ public enum Method {
       "Cuts off one ear of the polygon after the other"),
   CONVEX_EVEN(
       Domain.POLYGON,
+      Promise.CONVEX_PIECES,
       "convex-even",
       "Partitioning-AQT",
       "Convex Polygon Even Triangulation",
@@ -43,6 +46,7 @@ public enum Method {
       "Cuts the polygon into convex pieces and makes most vertices of each even"),
   CONVEX_ODD(
       Domain.POLYGON,
+      Promise.CONVEX_PIECES,
       "convex-odd",
       "Odd fans",
       "Convex Polygon Odd Triangulation",
@@ -50,13 +54,27 @@ public enum Method {
       "Cuts the polygon into convex pieces and makes most vertices of each odd"),
   DELAUNAY(
       Domain.SITES,
+      Promise.EMPTY_CIRCLES,
       "delaunay",
       "Delaunay",
       "Delaunay Triangulation",
       "Section 2.2.6",
       "Triangulates the sites so that no circle through a triangle's corners holds a site");
 
+  /** What a method promises of every triangulation that it makes. */
+  public enum Promise {
+    /** No more than that it is one. */
+    TRIANGULATION,
+    /** The edges of the partition cut the polygon into y-monotone pieces. */
+    MONOTONE_PIECES,
+    /** The edges of the partition cut the polygon into strictly convex pieces. */
+    CONVEX_PIECES,
+    /** It is Delaunay: no circle through a triangle's corners has a site inside. */
+    EMPTY_CIRCLES
+  }
+
   private final Domain domain;
+  private final Promise promise;
   private final String word;
   private final String algorithm;
   private final String title;
@@ -65,12 +83,14 @@ public enum Method {
 
   Method(
       Domain domain,
+      Promise promise,
       String word,
       String algorithm,
       String title,
       String source,
       String description) {
     this.domain = domain;
+    this.promise = promise;
     this.word = word;
     this.algorithm = algorithm;
     this.title = title;
@@ -81,6 +101,16 @@ public enum Method {
   /** What it triangulates. */
   public Domain domain() {
     return domain;
+  }
+
+  /** What it promises of every triangulation that it makes. */
+  public Promise promise() {
+    return promise;
+  }
+
+  /** Whether it cuts the domain into pieces before it triangulates them. */
+  public boolean hasPartition() {
+    return promise == Promise.MONOTONE_PIECES || promise == Promise.CONVEX_PIECES;
   }
 
   /** Its name on the command line and in files. */

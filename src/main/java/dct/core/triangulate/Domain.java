@@ -6,19 +6,33 @@ import java.util.Optional;
 /** What was triangulated. */
 public enum Domain {
   /** The inside of a simple polygon: every vertex is on the boundary. */
-  POLYGON("polygon"),
+  POLYGON("polygon", "polygon", "vertices"),
   /** The convex hull of point sites. */
-  SITES("points");
+  SITES("points", "sites", "sites");
 
   private final String word;
+  private final String title;
+  private final String vertices;
 
-  Domain(String word) {
+  Domain(String word, String title, String vertices) {
     this.word = word;
+    this.title = title;
+    this.vertices = vertices;
   }
 
   /** The word for it in files and on the command line. */
   public String word() {
     return word;
+  }
+
+  /** What people call it. */
+  public String title() {
+    return title;
+  }
+
+  /** What people call its vertices. */
+  public String vertices() {
+    return vertices;
   }
 
   /** The domain that a word stands for, or nothing for any other word. */

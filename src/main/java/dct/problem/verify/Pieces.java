@@ -1,8 +1,6 @@
 package dct.problem.verify;
 
 import dct.core.geometry.Points;
-import dct.core.triangulate.Domain;
-import dct.problem.Method;
 import java.util.function.IntPredicate;
 
 /**
@@ -33,18 +31,13 @@ final class Pieces {
     this.outer = outer;
   }
 
-  /** Whether the method cuts polygons into pieces before it triangulates them. */
-  static boolean areMadeBy(Method method) {
-    return method.domain() == Domain.POLYGON && method != Method.EAR_CLIPPING;
-  }
-
   /**
    * Checks the pieces.
    *
-   * @throws FalseClaim if one of them has not the form that the method promises
+   * @param convex whether they have to be strictly convex, and not just monotone
+   * @throws FalseClaim if one of them has not that form
    */
-  void check(Method method) {
-    boolean convex = method != Method.MONOTONE;
+  void check(boolean convex) {
     for (int v = 0; v < points.size(); v++) {
       int degree = graph.degree(v);
       int last = lastCut(v);

@@ -144,20 +144,26 @@ final class StoredTriangulation {
     int turns = 0;
     for (int e = 0; e < outer.length; e++) {
       if (outer[e]) {
-        turns += domain == Domain.POLYGON ? side(e) : rimTurn(e);
+        switch (domain) {
+          case POLYGON -> checkSide(e);
+          case SITES -> turns += rimTurn(e);
+        }
       }
     }
-    FalseClaim.unless(
-        domain == Domain.POLYGON ? boundary == n : turns == 2, "the rim is not that of the domain");
+    boolean whole =
+        switch (domain) {
+          case POLYGON -> boundary == n;
+          case SITES -> turns == 2;
+        };
+    FalseClaim.unless(whole, "the rim is not that of the domain");
   }
 
-  /** Checks that an edge of the rim is a side of the polygon; 0. */
-  private int side(int e) {
+  /** Checks that an edge of the rim is a side of the polygon. */
+  private void checkSide(int e) {
     int step = Math.floorMod(graph.target(e) - graph.origin(e), n);
     if (step != 1 && step != n - 1) {
       throw lie(e, "edge " + graph.name(e) + " is on the rim and no side");
     }
-    return 0;
   }
 
   /** Checks that the rim, clockwise, does not turn left; 1 where it changes between up and down. */

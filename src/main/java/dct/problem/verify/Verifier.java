@@ -129,7 +129,7 @@ public final class Verifier {
   }
 
   private void checkKinds() {
-    boolean partitions = Pieces.areMadeBy(stored.method()) && !isPost("optimize");
+    boolean partitions = stored.method().hasPartition() && !isPost("optimize");
     for (int i = 0; i < claims.edges().size(); i++) {
       EdgeKind kind = claims.edges().kind(i);
       boolean rim = stored.isRim(i);
@@ -191,16 +191,20 @@ public final class Verifier {
     if (isPost("optimize")) {
       return;
     }
-    if (stored.method().domain() == Domain.SITES) {
-      checkDelaunay();
-    } else if (Pieces.areMadeBy(stored.method())) {
-      new Pieces(
-              stored.instance().points(),
-              before,
-              edge -> claims.edges().kind(edge) != EdgeKind.DIAGONAL,
-              stored::isOuter)
-          .check(stored.method());
+    switch (stored.method().promise()) {
+      case TRIANGULATION -> {} // checked already
+      case EMPTY_CIRCLES -> checkDelaunay();
+      case MONOTONE_PIECES -> pieces().check(false);
+      case CONVEX_PIECES -> pieces().check(true);
     }
+  }
+
+  private Pieces pieces() {
+    return new Pieces(
+        stored.instance().points(),
+        before,
+        edge -> claims.edges().kind(edge) != EdgeKind.DIAGONAL,
+        stored::isOuter);
   }
 
   /**

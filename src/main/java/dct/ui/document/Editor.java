@@ -81,7 +81,7 @@ public final class Editor {
 
   /** Begins an empty document without a file. */
   public void startAnew() {
-    load(Document.empty(domain), domain == Domain.POLYGON ? "New polygon" : "New sites");
+    load(Document.empty(domain), "New " + domain.title());
   }
 
   /** Begins with this document, its history empty. */
@@ -174,7 +174,7 @@ public final class Editor {
     } else if (document.size() <= AT_ONCE) {
       show(Analysis.of(document, growing, Progress.NONE));
     } else {
-      String what = domain == Domain.POLYGON ? "Checking the polygon" : "Triangulating the sites";
+      String what = "Analysing the " + domain.title();
       int change = changes;
       boolean open = growing;
       analysis =
