@@ -142,7 +142,7 @@ public sealed interface Instance {
 
     @Override
     public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
-      return BestTriangulation.of(polygon, wishes, limits, progress);
+      return BestTriangulation.of(polygon, start, wishes, limits, progress);
     }
 
     @Override

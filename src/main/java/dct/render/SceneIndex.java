@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Progress;
 import dct.core.geometry.HilbertOrder;
 import dct.core.geometry.Points;
 import java.util.List;
@@ -36,7 +37,7 @@ final class SceneIndex {
    * @param degrees by vertex, or null while nothing is triangulated
    */
   static SceneIndex of(Points points, int[] degrees, List<EdgeLayer> layers) {
-    int[] vertices = HilbertOrder.of(points);
+    int[] vertices = HilbertOrder.of(points, Progress.NONE);
     int[] places = new int[vertices.length];
     double[] x = new double[vertices.length];
     double[] y = new double[vertices.length];

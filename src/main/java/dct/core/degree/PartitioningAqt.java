@@ -2,6 +2,9 @@ package dct.core.degree;
 
 import dct.core.Progress;
 import dct.core.geometry.SimplePolygon;
+import dct.core.triangulate.HertelMehlhorn;
+import dct.core.triangulate.MonotoneTriangulation;
+import dct.core.triangulate.Partition;
 import dct.core.triangulate.Triangulation;
 
 /**
@@ -23,6 +26,17 @@ public final class PartitioningAqt {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
-    return ConvexPieces.triangulate(ConvexPieces.of(polygon, progress), Aqt::cut, progress);
+    return triangulate(polygon, MonotoneTriangulation.triangulate(polygon, progress), progress);
+  }
+
+  /**
+   * The same from a triangulation of the polygon, of whose diagonals the pieces are merged.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Triangulation triangulate(
+      SimplePolygon polygon, Triangulation start, Progress progress) {
+    Partition pieces = HertelMehlhorn.partition(polygon, start, progress);
+    return ConvexPieces.triangulate(pieces, Aqt::cut, progress);
   }
 }

@@ -1,5 +1,6 @@
 package dct.core.geometry;
 
+import dct.core.Progress;
 import java.util.Arrays;
 
 /**
@@ -13,8 +14,12 @@ public final class HilbertOrder {
 
   private HilbertOrder() {}
 
-  /** The numbers of the points in this order. */
-  public static int[] of(Points points) {
+  /**
+   * The numbers of the points in this order.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static int[] of(Points points, Progress progress) {
     double[] x = points.xs();
     double[] y = points.ys();
     double left = min(x);
@@ -22,9 +27,11 @@ public final class HilbertOrder {
     double scale = scale(Math.max(max(x) - left, max(y) - low));
     long[] keys = new long[x.length];
     for (int i = 0; i < keys.length; i++) {
+      Progress.check(progress, i);
       keys[i] = key(cell((x[i] - left) * scale), cell((y[i] - low) * scale)) << 31 | i;
     }
     Arrays.parallelSort(keys);
+    progress.checkCancelled();
     int[] order = new int[keys.length];
     for (int k = 0; k < order.length; k++) {
       order[k] = (int) (keys[k] & Integer.MAX_VALUE);

@@ -88,7 +88,9 @@ public final class Triangulation {
 
   /** This triangulation with every edge that is not on the boundary a mere diagonal. */
   public Triangulation plain() {
-    return new Triangulation(domain, points, dcel, edge -> EdgeKind.DIAGONAL);
+    return count(EdgeKind.BOUNDARY) + count(EdgeKind.DIAGONAL) == edgeCount()
+        ? this
+        : new Triangulation(domain, points, dcel, edge -> EdgeKind.DIAGONAL);
   }
 
   /** One end of an edge: the vertex that half-edge {@code 2 * edge} leaves. */

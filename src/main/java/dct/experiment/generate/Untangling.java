@@ -68,7 +68,7 @@ final class Untangling {
   /** A counter-clockwise polygon of n vertices, from the tour along a Hilbert curve. */
   static Points fromHilbertTour(int n, Area area, SeededRandom random, Progress progress) {
     Places places = Places.spread(n, area.grid(), random);
-    int[] tour = HilbertOrder.of(places.points());
+    int[] tour = HilbertOrder.of(places.points(), progress);
     return places.points(new Untangling(places, tour).run(progress));
   }
 

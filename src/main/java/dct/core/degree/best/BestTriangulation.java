@@ -4,10 +4,10 @@ import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
-import dct.core.degree.bound.SiteBounds;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import java.util.concurrent.CancellationException;
 
@@ -31,7 +31,18 @@ public final class BestTriangulation {
    */
   public static Optimum of(
       SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
-    return PolygonOptimizer.optimize(polygon, goal, limits, progress);
+    Triangulation start = MonotoneTriangulation.triangulate(polygon, progress);
+    return of(polygon, start, goal, limits, progress);
+  }
+
+  /** The best triangulation of a simple polygon, from any triangulation of it. */
+  public static Optimum of(
+      SimplePolygon polygon,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Progress progress) {
+    return PolygonOptimizer.optimize(polygon, start, goal, limits, progress);
   }
 
   /**
@@ -46,6 +57,6 @@ public final class BestTriangulation {
   /** The best triangulation of sites, from any triangulation of them. */
   public static Optimum of(
       Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
-    return SiteOptimizer.optimize(start, goal, SiteBounds.quick(start, goal), limits, progress);
+    return SiteOptimizer.optimize(start, goal, limits, progress);
   }
 }

@@ -46,7 +46,7 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
    */
   public static BoundCheck of(Sites sites, ParityGoal goal, int claimed, Progress progress) {
     Triangulation start = Delaunay.triangulate(sites, progress);
-    LowerBound quick = SiteBounds.quick(start, goal);
+    LowerBound quick = SiteBounds.quick(start, goal, progress);
     return quick.value() >= claimed
         ? new BoundCheck(Verdict.RECOMPUTED, quick)
         : judge(BestTriangulation.of(start, goal, limits(), progress), claimed, progress);

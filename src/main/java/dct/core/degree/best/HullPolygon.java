@@ -58,17 +58,17 @@ final class HullPolygon {
     SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(pairs), progress);
     Triangulation any = MonotoneTriangulation.triangulate(polygon, progress);
     return PolygonOptimizer.exact(polygon, ParityGoal.of(wishes), any, progress)
-        .map(best -> ofSites(best, goal));
+        .map(best -> ofSites(best, goal, progress));
   }
 
-  private Optimum ofSites(Optimum best, ParityGoal goal) {
+  private Optimum ofSites(Optimum best, ParityGoal goal, Progress progress) {
     Dcel dcel = best.triangulation().dcel();
     int[] next = new int[2 * dcel.edgeCount()];
     int[] origin = new int[next.length];
     Arrays.setAll(next, dcel::next);
     Arrays.setAll(origin, e -> site[dcel.origin(e)]);
     int outer = dcel.faceEdge(Dcel.OUTER);
-    Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), outer, Progress.NONE);
+    Dcel named = Dcel.of(site.length, HalfEdges.of(next, origin), outer, progress);
     Triangulation triangulation =
         new Triangulation(sites.domain(), sites.points(), named, edge -> EdgeKind.DIAGONAL);
     return new Optimum(triangulation, goal, best.unmet(), best.bound(), false);

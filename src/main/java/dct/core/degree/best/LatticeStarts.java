@@ -65,10 +65,10 @@ final class LatticeStarts {
    * polygon.
    *
    * @param start any triangulation of the sites
-   * @param progress cancels the making of one
+   * @param progress cancels this and the making of one
    */
   static List<Supplier<Triangulation>> of(Triangulation start, Progress progress) {
-    return Lattice.of(start)
+    return Lattice.of(start, progress)
         .map(lattice -> new LatticeStarts(start, lattice).all(progress))
         .orElse(List.of());
   }

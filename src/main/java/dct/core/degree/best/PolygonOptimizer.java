@@ -36,41 +36,47 @@ import java.util.concurrent.CancellationException;
  * <p>The thesis's own algorithms come first, in time near linear, and what comes back is never
  * worse than the best of those that were done. Deterministic for the seed and effort, unless the
  * time limit or a cancel ends it early: then the best so far is returned at once, marked as
- * interrupted. A cancel before the first triangulation is there throws; the time limit waits for it
- * and for one Scan-Flip, a tenth of a second at most.
+ * interrupted. The start and one Scan-Flip of it come first; for this the time limit waits a tenth of
+ * a second.
  */
 public final class PolygonOptimizer {
-  private static final double GRACE = 0.1; // seconds after the limit, for a first Scan-Flip
+  private static final double GRACE = 0.1; // seconds, for what comes first
 
   private final SimplePolygon polygon;
   private final ParityGoal goal;
   private final SearchLimits limits;
-  private final Progress user;
   private final Deadline clock;
+  private final Deadline early; // for what comes first, however short the limit is
   private final LowerBound bound;
   private Triangulation best;
 
   private PolygonOptimizer(
-      SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
+      SimplePolygon polygon,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Progress progress) {
     this.polygon = polygon;
     this.goal = goal;
     this.limits = limits;
-    user = progress;
     clock = new Deadline(progress, limits.seconds());
+    early = new Deadline(progress, Math.max(GRACE, limits.seconds()));
     bound = PolygonBounds.of(polygon.size(), goal);
-    best = MonotoneTriangulation.triangulate(polygon, progress);
+    best = start;
   }
 
   /**
    * The best triangulation, or the best found within the limits.
    *
-   * @throws CancellationException if cancelled before there is a triangulation
+   * @param start any triangulation of the polygon
    */
   public static Optimum optimize(
-      SimplePolygon polygon, ParityGoal goal, SearchLimits limits, Progress progress) {
-    return isSolvedByAqt(polygon, goal)
-        ? aqt(polygon, goal, progress)
-        : new PolygonOptimizer(polygon, goal, limits, progress).run();
+      SimplePolygon polygon,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Progress progress) {
+    return new PolygonOptimizer(polygon, start, goal, limits, progress).run();
   }
 
   /**
@@ -133,6 +139,9 @@ public final class PolygonOptimizer {
 
   private Optimum run() {
     try {
+      if (isSolvedByAqt(polygon, goal)) {
+        return aqt(polygon, goal, early);
+      }
       takeThesisBest();
       Optional<Optimum> exact = table(polygon, goal, best, clock);
       if (exact.isPresent()) {
@@ -151,12 +160,17 @@ public final class PolygonOptimizer {
 
   /** The best of what the thesis's own algorithms make of the polygon. */
   private void takeThesisBest() {
-    Deadline early = new Deadline(user, Math.max(GRACE, limits.seconds()));
     take(ScanFlip.run(best, early).after());
-    Triangulation pieces = PartitioningAqt.triangulate(polygon, clock);
+    Triangulation monotone = MonotoneTriangulation.triangulate(polygon, clock);
+    takeFlipped(monotone);
+    Triangulation pieces = PartitioningAqt.triangulate(polygon, monotone, clock);
     take(pieces);
-    take(ScanFlip.run(pieces, clock).after());
-    take(ScanFlip.run(EarClipping.triangulate(polygon, clock), clock).after());
+    takeFlipped(pieces);
+    takeFlipped(EarClipping.triangulate(polygon, clock));
+  }
+
+  private void takeFlipped(Triangulation other) {
+    take(ScanFlip.run(other, clock).after());
   }
 
   private void take(Triangulation other) {

@@ -1,5 +1,6 @@
 package dct.core.degree.best;
 
+import dct.core.Progress;
 import dct.core.degree.region.SearchMesh;
 
 /**
@@ -17,10 +18,15 @@ final class RectangleDiagonals {
     this.mesh = mesh;
   }
 
-  /** Aligns them. */
-  static void align(SearchMesh mesh) {
+  /**
+   * Aligns them.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled; some are aligned then
+   */
+  static void align(SearchMesh mesh, Progress progress) {
     RectangleDiagonals diagonals = new RectangleDiagonals(mesh);
     for (int e = 0; e < mesh.corner.length; e++) {
+      Progress.check(progress, e);
       if ((e & 3) != 3 && mesh.twin[e] > e) {
         diagonals.consider(e);
       }

@@ -33,20 +33,21 @@ import java.util.function.Supplier;
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
- * the user ends the search. Then the best so far is returned, with the bounds that a tenth of a
- * second more suffices for.
+ * the user ends the search. Then the best so far is returned at once. Scan-Flip and the bounds may
+ * take a tenth of a second where the limit is shorter, and the bounds as much after a longer one.
  */
 public final class SiteOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
-  private static final double GRACE = 0.1; // seconds after the limit, for what is quickly done
+  private static final double GRACE = 0.1; // seconds, for what is quickly done
 
   private final Triangulation start;
   private final ParityGoal goal;
   private final SearchLimits limits;
-  private final Progress user;
   private final Deadline clock;
+  private final Deadline early; // for what comes first, however short the limit is
+  private final Deadline late; // for what follows when the limit has struck
   private Triangulation best;
   private int unmet;
   private LowerBound bound;
@@ -54,15 +55,16 @@ public final class SiteOptimizer {
   private SiteOptimizer(
       Triangulation start,
       ParityGoal goal,
-      LowerBound bound,
+      LowerBound known,
       SearchLimits limits,
       Progress progress) {
     this.start = start;
     this.goal = goal;
     this.limits = limits;
-    this.bound = bound;
-    user = progress;
     clock = new Deadline(progress, limits.seconds());
+    early = new Deadline(progress, Math.max(GRACE, limits.seconds()));
+    late = new Deadline(progress, limits.seconds() + GRACE);
+    bound = known == null ? SiteBounds.quick(start, goal, early) : known;
     best = start;
     unmet = goal.unmet(start);
   }
@@ -85,6 +87,12 @@ public final class SiteOptimizer {
     return new SiteOptimizer(start, goal, bound, limits, progress).run();
   }
 
+  /** The same with the bound of {@link SiteBounds#quick}, found within the limits. */
+  static Optimum optimize(
+      Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
+    return new SiteOptimizer(start, goal, null, limits, progress).run();
+  }
+
   private Optimum run() {
     boolean interrupted = false;
     boolean isSmall = start.vertexCount() <= ExactSites.ALWAYS; // always solved the same way
@@ -93,7 +101,7 @@ public final class SiteOptimizer {
         improve();
       } catch (CancellationException e) {
         interrupted = true;
-        bound = bound.max(SiteBounds.of(start, goal, new Deadline(user, GRACE)));
+        bound = bound.max(SiteBounds.walked(start, goal, bound, late));
       }
     }
     interrupted |= clock.hasStruck();
@@ -101,7 +109,6 @@ public final class SiteOptimizer {
   }
 
   private void improve() {
-    Deadline early = new Deadline(user, Math.max(GRACE, limits.seconds()));
     take(ScanFlip.run(start, early).after());
     clock.checkCancelled();
     if (start.vertexCount() > ExactSites.ALWAYS || !solveExactly()) {
@@ -118,7 +125,7 @@ public final class SiteOptimizer {
       clock.checkCancelled();
       solved = isOpen(search) && solveExactly();
       if (isOpen(search) && !solved) {
-        bound = bound.max(SiteBounds.of(start, goal, clock));
+        bound = bound.max(SiteBounds.walked(start, goal, bound, clock));
         solveStrips(search);
       }
     } finally {

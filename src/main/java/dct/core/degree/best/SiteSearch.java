@@ -57,9 +57,13 @@ final class SiteSearch {
     mesh = new SearchMesh(start, goal, WEIGHT, progress);
   }
 
-  /** Turns the diagonals of rectangles the same way, whatever that does to the wishes. */
+  /**
+   * Turns the diagonals of rectangles the same way, whatever that does to the wishes.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
   void alignRectangles() {
-    RectangleDiagonals.align(mesh);
+    RectangleDiagonals.align(mesh, progress);
   }
 
   /** How many vertices are unmet, in linear time. */
@@ -99,10 +103,10 @@ final class SiteSearch {
   }
 
   private void searchInParts() {
-    for (int pass = 0; pass < SWEEPS; pass++) {
+    for (int pass = 0; pass < SWEEPS && !progress.isCancelled(); pass++) {
       inParts(part -> part.sweep(0));
     }
-    for (int pass = 0; pass < 2; pass++) {
+    for (int pass = 0; pass < 2 && !progress.isCancelled(); pass++) {
       inParts(part -> part.pairUp(0, PART_PATIENCE));
     }
   }
@@ -111,7 +115,10 @@ final class SiteSearch {
   private void inParts(Consumer<PartSearch> task) {
     int shift = (passes & 1) * (PART / 2);
     int parts = (mesh.size() + shift + PART - 1) / PART;
-    IntStream.range(0, parts).parallel().forEach(p -> task.accept(part(p, p * PART - shift)));
+    IntStream.range(0, parts)
+        .parallel()
+        .filter(p -> !progress.isCancelled())
+        .forEach(p -> task.accept(part(p, p * PART - shift)));
     passes++;
     report(0.15 * passes, mesh.unmet());
   }

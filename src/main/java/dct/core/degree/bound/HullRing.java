@@ -3,6 +3,7 @@ package dct.core.degree.bound;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Triangulation;
+import java.util.stream.IntStream;
 
 /**
  * The boundary of the hull of sites that do not all lie on one line: h sites, those inside its
@@ -23,17 +24,17 @@ final class HullRing {
     }
   }
 
-  /** The boundary of any triangulation of the sites, in O(n) time. */
+  /** The boundary of any triangulation of the sites that has a triangle, in O(h) steps. */
   static HullRing of(Triangulation triangulation) {
     Dcel dcel = triangulation.dcel();
     int first = dcel.faceEdge(Dcel.OUTER);
-    int[] outward = new int[triangulation.boundaryCount()];
+    IntStream.Builder outward = IntStream.builder();
     int e = first;
-    for (int k = 0; k < outward.length; k++) {
-      outward[k] = e;
+    do {
+      outward.add(e);
       e = dcel.prev(e); // the outer face is walked clockwise, so its inverse is counter-clockwise
-    }
-    return new HullRing(triangulation, outward);
+    } while (e != first);
+    return new HullRing(triangulation, outward.build().toArray());
   }
 
   /** The triangulation that the ring was read from. */

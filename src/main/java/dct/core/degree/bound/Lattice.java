@@ -1,5 +1,7 @@
 package dct.core.degree.bound;
 
+import dct.core.Progress;
+import dct.core.dcel.Dcel;
 import dct.core.triangulate.Triangulation;
 import java.util.Optional;
 
@@ -14,36 +16,53 @@ import java.util.Optional;
  */
 public final class Lattice {
   private final WholeCoordinates sites;
-  private final int[] corners; // of all triangles
+  private final Dcel dcel; // of a triangulation
+  private final int a; // the corners of its first triangle
+  private final int b;
+  private final int c;
   private final long area; // twice that of every triangle, in the unit of the coordinates
 
-  private Lattice(WholeCoordinates sites, int[] corners) {
+  private Lattice(WholeCoordinates sites, Dcel dcel) {
     this.sites = sites;
-    this.corners = corners;
-    area = sites.cross(corners[0], corners[1], corners[2]);
+    this.dcel = dcel;
+    int e = dcel.faceEdge(1);
+    a = dcel.origin(e);
+    b = dcel.target(e);
+    c = dcel.origin(dcel.prev(e));
+    area = area(1);
   }
 
-  /** The lattice of these sites, if they are one; from any triangulation that has a triangle. */
-  public static Optional<Lattice> of(Triangulation triangulation) {
-    return WholeCoordinates.of(triangulation.points())
-        .map(sites -> new Lattice(sites, triangulation.triangles()))
-        .filter(lattice -> lattice.haveOneArea())
-        .filter(lattice -> lattice.isEverySiteOnIt(triangulation.vertexCount()));
+  /**
+   * The lattice of these sites, if they are one; from any triangulation that has a triangle.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Optional<Lattice> of(Triangulation triangulation, Progress progress) {
+    return WholeCoordinates.of(triangulation.points(), progress)
+        .map(sites -> new Lattice(sites, triangulation.dcel()))
+        .filter(lattice -> lattice.haveOneArea(progress))
+        .filter(lattice -> lattice.isEverySiteOnIt(triangulation.vertexCount(), progress));
   }
 
-  private boolean haveOneArea() {
-    for (int k = 0; k < corners.length; k += 3) {
-      if (sites.cross(corners[k], corners[k + 1], corners[k + 2]) != area) {
+  private boolean haveOneArea(Progress progress) {
+    for (int f = 1; f < dcel.faceBound(); f++) {
+      Progress.check(progress, f);
+      if (area(f) != area) {
         return false;
       }
     }
     return true;
   }
 
-  private boolean isEverySiteOnIt(int n) {
+  private long area(int f) {
+    int e = dcel.faceEdge(f);
+    return sites.cross(dcel.origin(e), dcel.target(e), dcel.origin(dcel.prev(e)));
+  }
+
+  private boolean isEverySiteOnIt(int n, Progress progress) {
     for (int v = 0; v < n; v++) {
-      if (sites.cross(corners[0], v, corners[2]) % area != 0
-          || sites.cross(corners[0], corners[1], v) % area != 0) {
+      Progress.check(progress, v);
+      if (sites.cross(a, v, c) % area != 0 || sites.cross(a, b, v) % area != 0) {
         return false;
       }
     }
@@ -52,11 +71,11 @@ public final class Lattice {
 
   /** The first coordinate of v, by Cramer's rule. */
   public long first(int v) {
-    return sites.cross(corners[0], v, corners[2]) / area;
+    return sites.cross(a, v, c) / area;
   }
 
   /** The second coordinate of v: counter-clockwise of the first one. */
   public long second(int v) {
-    return sites.cross(corners[0], corners[1], v) / area;
+    return sites.cross(a, b, v) / area;
   }
 }

@@ -1,5 +1,6 @@
 package dct.core.degree.bound;
 
+import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
@@ -24,14 +25,16 @@ final class LatticeBound {
 
   private LatticeBound() {}
 
-  static LowerBound of(HullRing ring, ParityGoal goal) {
-    return new LowerBound(isObstructed(ring, goal) ? 1 : 0, "full lattice polygon");
+  static LowerBound of(HullRing ring, ParityGoal goal, Progress progress) {
+    return new LowerBound(isObstructed(ring, goal, progress) ? 1 : 0, "full lattice polygon");
   }
 
-  private static boolean isObstructed(HullRing ring, ParityGoal goal) {
+  private static boolean isObstructed(HullRing ring, ParityGoal goal, Progress progress) {
     return BoundaryColouring.areInnerEven(ring, goal)
         && !hasFreeSite(ring, goal)
-        && Lattice.of(ring.triangulation()).filter(l -> !isBalanced(l, ring, goal)).isPresent();
+        && Lattice.of(ring.triangulation(), progress)
+            .filter(l -> !isBalanced(l, ring, goal))
+            .isPresent();
   }
 
   private static boolean hasFreeSite(HullRing ring, ParityGoal goal) {

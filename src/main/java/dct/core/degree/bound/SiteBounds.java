@@ -29,25 +29,35 @@ public final class SiteBounds {
   private final Handshake handshake;
   private LowerBound best;
 
-  private SiteBounds(Triangulation triangulation, ParityGoal goal) {
+  private SiteBounds(Triangulation triangulation, ParityGoal goal, LowerBound known) {
     this.goal = goal;
     ring = HullRing.of(triangulation);
     handshake = new Handshake(goal);
-    best = handshake.roundUp(BoundaryColouring.ofSites(ring, goal));
+    best = known;
   }
 
   /**
    * The largest of all the bounds. If the hull walk was left out the reason says so.
    *
    * @param triangulation any triangulation of the sites
-   * @param progress if it asks to stop, the hull walk is left out too
+   * @param progress if it asks to stop, the bounds that are not computed yet are left out too
    * @throws IllegalArgumentException if it is one of a polygon, or has another number of vertices
    */
   public static LowerBound of(Triangulation triangulation, ParityGoal goal, Progress progress) {
+    return walked(triangulation, goal, quick(triangulation, goal, progress), progress);
+  }
+
+  /**
+   * The same, where those that take linear time are computed.
+   *
+   * @param quick what {@link #quick} has said, or a larger bound
+   */
+  public static LowerBound walked(
+      Triangulation triangulation, ParityGoal goal, LowerBound quick, Progress progress) {
     check(triangulation, goal);
     return isPath(triangulation)
         ? onePath(triangulation, goal)
-        : linear(triangulation, goal).walk(progress);
+        : new SiteBounds(triangulation, goal, quick).walk(progress);
   }
 
   /**
@@ -71,11 +81,21 @@ public final class SiteBounds {
    * triangulation which attains it is the best.
    *
    * @param triangulation any triangulation of the sites
+   * @param progress if it asks to stop, the bounds that are not computed yet are left out
    * @throws IllegalArgumentException if it is one of a polygon, or has another number of vertices
    */
-  public static LowerBound quick(Triangulation triangulation, ParityGoal goal) {
+  public static LowerBound quick(Triangulation triangulation, ParityGoal goal, Progress progress) {
     check(triangulation, goal);
-    return isPath(triangulation) ? onePath(triangulation, goal) : linear(triangulation, goal).best;
+    if (isPath(triangulation)) {
+      return onePath(triangulation, goal);
+    }
+    SiteBounds bounds = new SiteBounds(triangulation, goal, new LowerBound(0, "handshake lemma"));
+    try {
+      bounds.improveQuickly(progress);
+    } catch (CancellationException e) {
+      return bounds.best;
+    }
+    return bounds.best;
   }
 
   private static void check(Triangulation triangulation, ParityGoal goal) {
@@ -92,13 +112,13 @@ public final class SiteBounds {
     return new LowerBound(goal.unmet(triangulation), "all sites on one line");
   }
 
-  private static SiteBounds linear(Triangulation triangulation, ParityGoal goal) {
-    SiteBounds bounds = new SiteBounds(triangulation, goal);
-    bounds.improve(DegreeSumBound.of(bounds.ring, goal));
-    bounds.improve(LongSideBound.of(bounds.ring, goal));
-    bounds.improve(LatticeBound.of(bounds.ring, goal));
-    bounds.improve(ThreeHullSites.of(bounds.ring, goal, bounds.best.value()));
-    return bounds;
+  private void improveQuickly(Progress progress) {
+    best = handshake.roundUp(BoundaryColouring.ofSites(ring, goal));
+    progress.checkCancelled();
+    improve(DegreeSumBound.of(ring, goal));
+    improve(LongSideBound.of(ring, goal));
+    improve(LatticeBound.of(ring, goal, progress));
+    improve(ThreeHullSites.of(ring, goal, best.value()));
   }
 
   private void improve(LowerBound bound) {

@@ -1,5 +1,6 @@
 package dct.core.degree.bound;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import java.util.Optional;
 
@@ -21,11 +22,16 @@ final class WholeCoordinates {
     this.y = y;
   }
 
-  /** The points in units, if they have such coordinates. */
-  static Optional<WholeCoordinates> of(Points points) {
+  /**
+   * The points in units, if they have such coordinates.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static Optional<WholeCoordinates> of(Points points, Progress progress) {
     int unit = Integer.MAX_VALUE;
     int largest = Integer.MIN_VALUE;
     for (int i = 0; i < points.size(); i++) {
+      Progress.check(progress, i);
       unit = Math.min(unit, Math.min(lowestBit(points.x(i)), lowestBit(points.y(i))));
       double magnitude = Math.max(Math.abs(points.x(i)), Math.abs(points.y(i)));
       largest = Math.max(largest, Math.getExponent(magnitude));
@@ -33,7 +39,7 @@ final class WholeCoordinates {
         return Optional.empty();
       }
     }
-    return inUnits(points, unit);
+    return inUnits(points, unit, progress);
   }
 
   /** The exponent of the lowest bit that is set; a large number for zero. */
@@ -46,10 +52,11 @@ final class WholeCoordinates {
     return Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - MANTISSA_BITS + zeros;
   }
 
-  private static Optional<WholeCoordinates> inUnits(Points points, int unit) {
+  private static Optional<WholeCoordinates> inUnits(Points points, int unit, Progress progress) {
     long[] x = new long[points.size()];
     long[] y = new long[points.size()];
     for (int i = 0; i < x.length; i++) {
+      Progress.check(progress, i);
       x[i] = (long) Math.scalb(points.x(i), -unit) - (i == 0 ? 0 : x[0]);
       y[i] = (long) Math.scalb(points.y(i), -unit) - (i == 0 ? 0 : y[0]);
       if (i > 0 && (Math.abs(x[i]) >= EXTENT || Math.abs(y[i]) >= EXTENT)) {

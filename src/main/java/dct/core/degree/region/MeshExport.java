@@ -10,8 +10,9 @@ import dct.core.triangulate.Triangulation;
 public final class MeshExport {
   private final SearchMesh mesh;
   private final int[] half; // by half-edge of the mesh: its number in the result
-  private final int[] outward; // by vertex: the half-edge of the outer face that leaves it
+  private final int[] outward; // by vertex of the hull: the half-edge whose hull side leaves it
   private HalfEdges links;
+  private int used; // half-edges of the result
 
   private MeshExport(SearchMesh mesh) {
     this.mesh = mesh;
@@ -31,48 +32,49 @@ public final class MeshExport {
 
   private Triangulation triangulation(Triangulation start) {
     links = new HalfEdges(start.edgeCount(), start.edgeCount());
-    number();
-    int outer = SearchMesh.NONE;
-    for (int e = 0; e < half.length; e++) {
-      if (isHalfEdge(e)) {
-        copy(e);
-        outer = mesh.twin[e] == SearchMesh.NONE ? copyOutside(e) : outer;
+    int last = SearchMesh.NONE; // without a triangle on its other side
+    for (int e = 0; e < half.length; e += 4) {
+      for (int i = e; i < e + 3; i++) {
+        last = mesh.twin[i] == SearchMesh.NONE ? i : last;
+        number(i);
       }
+      copy(e, e + 1);
+      copy(e + 1, e + 2);
+      copy(e + 2, e);
     }
-    Dcel dcel = Dcel.of(mesh.size(), links, outer, Progress.NONE);
+    Dcel dcel = Dcel.of(mesh.size(), links, linkOutside(last), Progress.NONE);
     return new Triangulation(start.domain(), start.points(), dcel, edge -> EdgeKind.DIAGONAL);
   }
 
-  private static boolean isHalfEdge(int e) {
-    return (e & 3) != 3;
-  }
-
-  /** Numbers each edge where it is first seen; its hull side, if any, gets the odd number. */
-  private void number() {
-    int used = 0;
-    for (int e = 0; e < half.length; e++) {
-      int twin = mesh.twin[e];
-      if (isHalfEdge(e) && (twin == SearchMesh.NONE || twin > e)) {
-        half[e] = used;
-        if (twin == SearchMesh.NONE) {
-          outward[mesh.corner[SearchMesh.next(e)]] = used + 1;
-        } else {
-          half[twin] = used + 1;
-        }
-        used += 2;
-      }
+  /** Numbers the edge of e if it is first seen; its hull side, if any, gets the odd number. */
+  private void number(int e) {
+    int twin = mesh.twin[e];
+    if (twin == SearchMesh.NONE) {
+      half[e] = used;
+      int target = mesh.corner[SearchMesh.next(e)];
+      outward[target] = e;
+      links.origin()[used + 1] = mesh.site[target];
+      used += 2;
+    } else if (twin > e) {
+      half[e] = used;
+      half[twin] = used + 1;
+      used += 2;
     }
   }
 
-  private void copy(int e) {
-    links.link(half[e], half[SearchMesh.next(e)]);
-    links.origin()[half[e]] = mesh.site[mesh.corner[e]];
+  /** Links the hull sides, and returns that of {@code last}. */
+  private int linkOutside(int last) {
+    int e = last;
+    do {
+      int following = outward[mesh.corner[e]];
+      links.link(half[e] + 1, half[following] + 1);
+      e = following;
+    } while (e != last);
+    return half[last] + 1;
   }
 
-  private int copyOutside(int e) {
-    int h = half[e] + 1;
-    links.link(h, outward[mesh.corner[e]]);
-    links.origin()[h] = mesh.site[mesh.corner[SearchMesh.next(e)]];
-    return h;
+  private void copy(int e, int following) {
+    links.link(half[e], half[following]);
+    links.origin()[half[e]] = mesh.site[mesh.corner[e]];
   }
 }

@@ -42,8 +42,7 @@ public final class SearchMesh {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public SearchMesh(Triangulation start, ParityGoal goal, int unit, Progress progress) {
-    progress.checkCancelled();
-    site = HilbertOrder.of(start.points());
+    site = HilbertOrder.of(start.points(), progress);
     int n = site.length;
     x = new double[n];
     y = new double[n];
@@ -62,6 +61,7 @@ public final class SearchMesh {
     }
     free = IntStream.range(0, n).filter(v -> weight[v] == 0).toArray();
     plain = ExactGrid.holds(x, y);
+    progress.checkCancelled();
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
     readTriangles(start.dcel(), place, progress);

@@ -63,7 +63,7 @@ class BoundCheckTest {
     for (int seed = 0; seed < 4; seed++) {
       SimplePolygon polygon = SimplePolygon.of(family.make(30, seed), NONE);
       ParityGoal goal = ParityGoal.allEven(polygon.size());
-      Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE);
+      Optimum best = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, NONE);
       for (int claimed : new int[] {best.unmet(), best.unmet() + 2}) {
         assertThat(BoundCheck.of(polygon, goal, claimed, NONE).verdict())
             .as("%s, seed %d: %d of %d", family, seed, claimed, best.unmet())
@@ -87,7 +87,7 @@ class BoundCheckTest {
   void aLargePolygonIsDecidedToo() {
     SimplePolygon polygon = SimplePolygon.of(RandomPolygons.starShaped(1600, new Random(5)), NONE);
     ParityGoal goal = ParityGoal.allEven(1600);
-    int least = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, NONE).unmet();
+    int least = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, NONE).unmet();
     assertThat(BoundCheck.of(polygon, goal, least, NONE).verdict()).isEqualTo(Verdict.RECOMPUTED);
     assertThat(BoundCheck.of(polygon, goal, least + 2, NONE).verdict()).isEqualTo(Verdict.FALSE);
   }

@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Test;
 class PolygonOptimizerTest {
 
   private static Optimum optimize(SimplePolygon polygon, ParityGoal goal) {
-    Optimum optimum = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+    Optimum optimum = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
     assertThat(optimum.triangulation()).isTriangulationOf(polygon);
     assertThat(optimum.unmet()).isEqualTo(goal.unmet(optimum.triangulation()));
     return optimum;
@@ -216,7 +216,7 @@ class PolygonOptimizerTest {
         SimplePolygon.of(RandomPolygons.starShaped(3000, new Random(1)), Progress.NONE);
     ParityGoal goal = ParityGoal.allEven(polygon.size());
     Optimum byTime =
-        PolygonOptimizer.optimize(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
+        BestTriangulation.of(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
     assertThat(byTime.interrupted()).isTrue();
     assertThat(byTime.triangulation()).isTriangulationOf(polygon);
   }
@@ -231,7 +231,7 @@ class PolygonOptimizerTest {
     for (int questions = 0; questions < 500; questions += 1 + questions / 4) {
       Progress cancelled = cancelledAfter(questions);
       try {
-        Optimum best = PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, cancelled);
+        Optimum best = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, cancelled);
         assertThat(best.triangulation()).isTriangulationOf(polygon);
         assertThat(best.unmet()).isLessThanOrEqualTo(last);
         last = best.unmet();

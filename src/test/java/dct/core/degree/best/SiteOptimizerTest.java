@@ -408,7 +408,7 @@ class SiteOptimizerTest {
       }
       SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(ring), Progress.NONE);
       Optimum asPolygon =
-          PolygonOptimizer.optimize(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+          BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
       Optimum asSites = optimize(sites, goal, NONE);
       assertThat(asSites.isProven()).as("%d: %s", onSide, asSites.verdict()).isTrue();
       assertThat(asSites.unmet()).isEqualTo(asPolygon.unmet());

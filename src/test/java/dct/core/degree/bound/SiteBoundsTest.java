@@ -61,7 +61,7 @@ class SiteBoundsTest {
   void aRectangleOfALatticeIsRecognisedInAnyBasis(double ux, double uy, double vx, double vy) {
     Triangulation lattice = lattice(5, 6, ux, uy, vx, vy); // 18 on the hull
     ParityGoal even = ParityGoal.allEven(30);
-    assertThat(SiteBounds.quick(lattice, even))
+    assertThat(SiteBounds.quick(lattice, even, Progress.NONE))
         .isEqualTo(new LowerBound(2, "full lattice polygon"));
   }
 
@@ -81,7 +81,7 @@ class SiteBoundsTest {
   @Test
   void aLatticeOfSpacingsThatWereRoundedIsNone() {
     Triangulation lattice = lattice(5, 6, 0.1, 0, 0, 0.1);
-    assertThat(LatticeBound.of(HullRing.of(lattice), ParityGoal.allEven(30)).value()).isZero();
+    assertThat(LatticeBound.of(HullRing.of(lattice), ParityGoal.allEven(30), Progress.NONE).value()).isZero();
   }
 
   @Test
@@ -89,7 +89,7 @@ class SiteBoundsTest {
     Points full = lattice(5, 6, 1, 0, 0, 1).points();
     Triangulation holed =
         Delaunay.triangulate(Sites.of(full.removed(12), Progress.NONE), Progress.NONE);
-    assertThat(LatticeBound.of(HullRing.of(holed), ParityGoal.allEven(29)).value()).isZero();
+    assertThat(LatticeBound.of(HullRing.of(holed), ParityGoal.allEven(29), Progress.NONE).value()).isZero();
   }
 
   @Test
@@ -128,7 +128,7 @@ class SiteBoundsTest {
     ParityGoal goal = ParityGoal.allEven(60_000);
     assertThat(SiteBounds.of(start, goal, Progress.NONE).reason())
         .endsWith("; too many sites for a hull walk");
-    assertThat(SiteBounds.quick(start, goal).reason()).matches("\\d+ hull sites, .*\\d");
+    assertThat(SiteBounds.quick(start, goal, Progress.NONE).reason()).matches("\\d+ hull sites, .*\\d");
   }
 
   @Test

@@ -109,7 +109,7 @@ class SiteOptimumTest {
     values.put("boundary", BoundaryColouring.ofSites(ring, goal).value());
     values.put("degree sum", DegreeSumBound.of(ring, goal).value());
     values.put("long side", LongSideBound.of(ring, goal).value());
-    values.put("lattice", LatticeBound.of(ring, goal).value());
+    values.put("lattice", LatticeBound.of(ring, goal, Progress.NONE).value());
     values.put("three hull sites", ThreeHullSites.of(ring, goal, 0).value());
     values.put(
         "strips",
