@@ -10,6 +10,8 @@ import dct.core.degree.SearchLimits;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -69,6 +71,16 @@ class SolutionTest {
     assertThat(delaunay.countsBefore()).isEmpty();
     assertThat(flipped.countsBefore()).contains(delaunay.counts());
     assertThat(flipped.counts().even()).isGreaterThan(delaunay.counts().even());
+  }
+
+  @Test
+  void onlyATriangulationWithOtherKindsOfEdgesIsMadePlain() {
+    Solution delaunay = Solution.of(instance(Domain.SITES), Method.DELAUNAY, Progress.NONE);
+    Triangulation flipped = delaunay.flipped(Progress.NONE).triangulation();
+    assertThat(delaunay.triangulation().plain()).isSameAs(delaunay.triangulation());
+    assertThat(flipped.count(EdgeKind.FLIPPED)).isPositive();
+    assertThat(flipped.plain().count(EdgeKind.FLIPPED)).isZero();
+    assertThat(flipped.plain().dcel()).isSameAs(flipped.dcel());
   }
 
   @Test

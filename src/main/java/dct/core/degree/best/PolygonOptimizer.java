@@ -36,8 +36,8 @@ import java.util.concurrent.CancellationException;
  * <p>The thesis's own algorithms come first, in time near linear, and what comes back is never
  * worse than the best of those that were done. Deterministic for the seed and effort, unless the
  * time limit or a cancel ends it early: then the best so far is returned at once, marked as
- * interrupted. The start and one Scan-Flip of it come first; for this the time limit waits a tenth of
- * a second.
+ * interrupted. The start and one Scan-Flip of it come first; for this the time limit waits a tenth
+ * of a second.
  */
 public final class PolygonOptimizer {
   private static final double GRACE = 0.1; // seconds, for what comes first

@@ -17,6 +17,7 @@ import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.PolygonShape;
+import dct.testing.CancelledAfter;
 import dct.testing.EveryTriangulation;
 import dct.testing.ForeignDataTest;
 import dct.testing.RandomPolygons;
@@ -26,7 +27,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -197,26 +197,12 @@ class PolygonOptimizerTest {
     }
   }
 
-  private static Progress cancelledAfter(int questions) {
-    AtomicInteger left = new AtomicInteger(questions);
-    return new Progress() {
-      @Override
-      public void report(double fraction, String message) {}
-
-      @Override
-      public boolean isCancelled() {
-        return left.decrementAndGet() < 0;
-      }
-    };
-  }
-
   @Test
   void aTimeLimitThatIsUpGivesTheFirstTriangulation() {
     SimplePolygon polygon =
         SimplePolygon.of(RandomPolygons.starShaped(3000, new Random(1)), Progress.NONE);
     ParityGoal goal = ParityGoal.allEven(polygon.size());
-    Optimum byTime =
-        BestTriangulation.of(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
+    Optimum byTime = BestTriangulation.of(polygon, goal, new SearchLimits(1, 1, 0), Progress.NONE);
     assertThat(byTime.interrupted()).isTrue();
     assertThat(byTime.triangulation()).isTriangulationOf(polygon);
   }
@@ -226,19 +212,40 @@ class PolygonOptimizerTest {
   void aCancelAtAnyQuestionGivesTheBestSoFar() {
     SimplePolygon polygon =
         SimplePolygon.of(RandomPolygons.starShaped(1000, new Random(1)), Progress.NONE);
+    Triangulation start = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
     ParityGoal goal = ParityGoal.allEven(polygon.size());
-    int last = polygon.size();
+    int last = goal.unmet(start);
     for (int questions = 0; questions < 500; questions += 1 + questions / 4) {
-      Progress cancelled = cancelledAfter(questions);
-      try {
-        Optimum best = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, cancelled);
-        assertThat(best.triangulation()).isTriangulationOf(polygon);
-        assertThat(best.unmet()).isLessThanOrEqualTo(last);
-        last = best.unmet();
-      } catch (CancellationException e) {
-        assertThat(questions).as("before there is a triangulation").isLessThan(40);
-      }
+      Optimum best = cancelledAfter(questions, polygon, start);
+      assertThat(best.unmet()).isLessThanOrEqualTo(last);
+      last = best.unmet();
     }
     assertThat(last).isLessThanOrEqualTo(thesisBest(polygon, goal));
+  }
+
+  private static Optimum cancelledAfter(int questions, SimplePolygon polygon, Triangulation start) {
+    Optimum best =
+        BestTriangulation.of(
+            polygon,
+            start,
+            ParityGoal.allEven(polygon.size()),
+            SearchLimits.DEFAULT,
+            new CancelledAfter(questions));
+    assertThat(best.triangulation()).isTriangulationOf(polygon);
+    return best;
+  }
+
+  @Test
+  void aCancelBeforeAnythingIsDoneGivesTheStart() {
+    for (Points points :
+        List.of(
+            RandomPolygons.starShaped(200, new Random(1)),
+            RandomPolygons.convex(200, new Random(1)))) {
+      SimplePolygon polygon = SimplePolygon.of(points, Progress.NONE);
+      Triangulation start = EarClipping.triangulate(polygon, Progress.NONE);
+      Optimum best = cancelledAfter(0, polygon, start);
+      assertThat(best.triangulation()).isSameAs(start);
+      assertThat(best.interrupted()).isTrue();
+    }
   }
 }

@@ -13,6 +13,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
+import dct.testing.CancelledAfter;
 import dct.testing.RandomSets;
 import dct.testing.TriangulationAssert;
 import java.util.ArrayList;
@@ -252,20 +253,10 @@ class SiteOptimizerTest {
   }
 
   private static Optimum cancelledAfter(Sites sites, int looks) {
-    AtomicInteger left = new AtomicInteger(looks);
-    Progress cancelling =
-        new Progress() {
-          @Override
-          public void report(double fraction, String message) {}
-
-          @Override
-          public boolean isCancelled() {
-            return left.decrementAndGet() < 0;
-          }
-        };
     Triangulation start = delaunay(sites);
     ParityGoal goal = ParityGoal.allEven(sites.size());
-    return SiteOptimizer.optimize(start, goal, NONE, SearchLimits.DEFAULT, cancelling);
+    return SiteOptimizer.optimize(
+        start, goal, NONE, SearchLimits.DEFAULT, new CancelledAfter(looks));
   }
 
   @Test
@@ -407,8 +398,7 @@ class SiteOptimizerTest {
         ring[2 * k + 1] = sites.points().y(v);
       }
       SimplePolygon polygon = SimplePolygon.of(Points.ofPairs(ring), Progress.NONE);
-      Optimum asPolygon =
-          BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
+      Optimum asPolygon = BestTriangulation.of(polygon, goal, SearchLimits.DEFAULT, Progress.NONE);
       Optimum asSites = optimize(sites, goal, NONE);
       assertThat(asSites.isProven()).as("%d: %s", onSide, asSites.verdict()).isTrue();
       assertThat(asSites.unmet()).isEqualTo(asPolygon.unmet());

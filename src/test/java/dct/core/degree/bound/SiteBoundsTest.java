@@ -13,6 +13,7 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.Triangulation;
+import dct.testing.CancelledAfter;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -66,6 +67,15 @@ class SiteBoundsTest {
   }
 
   @Test
+  void aCancelledQuickBoundIsThatOfTheBoundaryAlone() {
+    Triangulation lattice = lattice(5, 6, 1, 0, 0, 1); // 18 on the hull
+    ParityGoal even = ParityGoal.allEven(30);
+    Progress amongTheCoordinates = new CancelledAfter(2);
+    assertThat(SiteBounds.quick(lattice, even, amongTheCoordinates).value()).isZero();
+    assertThat(SiteBounds.quick(lattice, even, Progress.NONE).value()).isEqualTo(2);
+  }
+
+  @Test
   void aLatticeTriangleMayBeAllEven() {
     double[] pairs = new double[30];
     int k = 0;
@@ -81,7 +91,8 @@ class SiteBoundsTest {
   @Test
   void aLatticeOfSpacingsThatWereRoundedIsNone() {
     Triangulation lattice = lattice(5, 6, 0.1, 0, 0, 0.1);
-    assertThat(LatticeBound.of(HullRing.of(lattice), ParityGoal.allEven(30), Progress.NONE).value()).isZero();
+    assertThat(LatticeBound.of(HullRing.of(lattice), ParityGoal.allEven(30), Progress.NONE).value())
+        .isZero();
   }
 
   @Test
@@ -89,7 +100,8 @@ class SiteBoundsTest {
     Points full = lattice(5, 6, 1, 0, 0, 1).points();
     Triangulation holed =
         Delaunay.triangulate(Sites.of(full.removed(12), Progress.NONE), Progress.NONE);
-    assertThat(LatticeBound.of(HullRing.of(holed), ParityGoal.allEven(29), Progress.NONE).value()).isZero();
+    assertThat(LatticeBound.of(HullRing.of(holed), ParityGoal.allEven(29), Progress.NONE).value())
+        .isZero();
   }
 
   @Test
@@ -128,7 +140,8 @@ class SiteBoundsTest {
     ParityGoal goal = ParityGoal.allEven(60_000);
     assertThat(SiteBounds.of(start, goal, Progress.NONE).reason())
         .endsWith("; too many sites for a hull walk");
-    assertThat(SiteBounds.quick(start, goal, Progress.NONE).reason()).matches("\\d+ hull sites, .*\\d");
+    assertThat(SiteBounds.quick(start, goal, Progress.NONE).reason())
+        .matches("\\d+ hull sites, .*\\d");
   }
 
   @Test

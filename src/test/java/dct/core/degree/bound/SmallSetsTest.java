@@ -49,7 +49,9 @@ class SmallSetsTest {
       String what = name + ", " + sites.points().size() + " sites";
       LowerBound bound = SiteBounds.of(start, goal, Progress.NONE);
       assertThat(bound.value()).as("%s: %s", what, bound).isLessThanOrEqualTo(least);
-      assertThat(SiteBounds.quick(start, goal, Progress.NONE).value()).as(what).isBetween(0, bound.value());
+      assertThat(SiteBounds.quick(start, goal, Progress.NONE).value())
+          .as(what)
+          .isBetween(0, bound.value());
       if (start.triangleCount() > 0) {
         checkStrips(HullRing.of(start), goal, least, what);
       }
