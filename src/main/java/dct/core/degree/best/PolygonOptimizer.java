@@ -34,13 +34,20 @@ import java.util.concurrent.CancellationException;
  * {@link PolygonImprover}, whose result is the best found, with the bound of {@link PolygonBounds}.
  *
  * <p>The thesis's own algorithms come first, in time near linear, and what comes back is never
- * worse than the best of those that were done. Deterministic for the seed and effort, unless the
- * time limit or a cancel ends it early: then the best so far is returned at once, marked as
- * interrupted. The start and one Scan-Flip of it come first; for this the time limit waits a tenth
- * of a second.
+ * worse than the best of those that were done; a large polygon whose table is filled in well under
+ * a second does without them, unless there is a time limit. Deterministic for the seed and effort,
+ * unless the time limit or a cancel ends it early: then the best so far is returned at once, marked
+ * as interrupted. The start and one Scan-Flip of it come first; for this the time limit waits a
+ * tenth of a second.
  */
 public final class PolygonOptimizer {
   private static final double GRACE = 0.1; // seconds, for what comes first
+
+  /** So many vertices take the thesis's algorithms a few milliseconds. */
+  private static final int SMALL = 10_000;
+
+  /** Of a table that is filled in well under a second. */
+  private static final long QUICK_STEPS = 100_000_000;
 
   private final SimplePolygon polygon;
   private final ParityGoal goal;
@@ -49,6 +56,7 @@ public final class PolygonOptimizer {
   private final Deadline early; // for what comes first, however short the limit is
   private final LowerBound bound;
   private Triangulation best;
+  private boolean hasThesisBest;
 
   private PolygonOptimizer(
       SimplePolygon polygon,
@@ -87,9 +95,11 @@ public final class PolygonOptimizer {
    */
   static Optional<Optimum> exact(
       SimplePolygon polygon, ParityGoal goal, Triangulation any, Progress progress) {
-    return isSolvedByAqt(polygon, goal)
-        ? Optional.of(aqt(polygon, goal, progress))
-        : table(polygon, goal, any, progress);
+    if (isSolvedByAqt(polygon, goal)) {
+      return Optional.of(aqt(polygon, goal, progress));
+    }
+    return Optional.ofNullable(graph(polygon, any, progress))
+        .map(graph -> table(polygon, goal, graph, progress));
   }
 
   // ---- strictly convex, all even
@@ -106,12 +116,16 @@ public final class PolygonOptimizer {
 
   // ---- the table
 
-  private static Optional<Optimum> table(
-      SimplePolygon polygon, ParityGoal goal, Triangulation any, Progress progress) {
+  /** What the table needs to know, or null if the table would be too large. */
+  private static VisibilityGraph graph(
+      SimplePolygon polygon, Triangulation any, Progress progress) {
     VisibilityGraph graph = VisibilityGraph.of(polygon, any, SearchLimits.MOST_PAIRS, progress);
-    if (graph == null || ParityTable.steps(graph) > SearchLimits.MOST_STEPS) {
-      return Optional.empty();
-    }
+    boolean small = graph != null && ParityTable.steps(graph) <= SearchLimits.MOST_STEPS;
+    return small ? graph : null;
+  }
+
+  private static Optimum table(
+      SimplePolygon polygon, ParityGoal goal, VisibilityGraph graph, Progress progress) {
     ParityGoal.Wish[] wishes = new ParityGoal.Wish[polygon.size()];
     int[] corner = new int[wishes.length];
     for (int k = 0; k < wishes.length; k++) {
@@ -121,10 +135,8 @@ public final class PolygonOptimizer {
     ParityTable table = ParityTable.fill(graph, ParityTable.costs(wishes), new int[0], progress);
     Dcel dcel = Dcel.cycle(polygon.walk());
     table.cut(dcel, corner);
-    return Optional.of(
-        proven(
-            new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL),
-            goal));
+    return proven(
+        new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL), goal);
   }
 
   private static Optimum proven(Triangulation exact, ParityGoal goal) {
@@ -142,10 +154,15 @@ public final class PolygonOptimizer {
       if (isSolvedByAqt(polygon, goal)) {
         return aqt(polygon, goal, early);
       }
-      takeThesisBest();
-      Optional<Optimum> exact = table(polygon, goal, best, clock);
-      if (exact.isPresent()) {
-        return exact.get();
+      if (Double.isFinite(limits.seconds()) || polygon.size() <= SMALL) {
+        takeThesisBest();
+      }
+      VisibilityGraph graph = graph(polygon, best, clock);
+      if (graph == null || ParityTable.steps(graph) > QUICK_STEPS) {
+        takeThesisBest();
+      }
+      if (graph != null) {
+        return table(polygon, goal, graph, clock);
       }
       best = new PolygonImprover(goal, limits, clock).run(best, bound.value());
     } catch (CancellationException e) {
@@ -158,8 +175,12 @@ public final class PolygonOptimizer {
     return new Optimum(best, goal, goal.unmet(best), bound, interrupted);
   }
 
-  /** The best of what the thesis's own algorithms make of the polygon. */
+  /** The best of what the thesis's own algorithms make of the polygon, made once. */
   private void takeThesisBest() {
+    if (hasThesisBest) {
+      return;
+    }
+    hasThesisBest = true;
     take(ScanFlip.run(best, early).after());
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, clock);
     takeFlipped(monotone);
