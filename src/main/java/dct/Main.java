@@ -33,8 +33,9 @@ public final class Main {
     } else {
       System.setProperty("java.awt.headless", "true"); // drawing needs no display
       Console console = console();
+      // In a thread that runs at the end of the program, System.exit would wait for ever.
       Thread.setDefaultUncaughtExceptionHandler(
-          (thread, e) -> System.exit(CommandLineProgram.failed(console, e)));
+          (thread, e) -> Runtime.getRuntime().halt(CommandLineProgram.failed(console, e)));
       System.exit(CommandLineProgram.run(console, args));
     }
   }

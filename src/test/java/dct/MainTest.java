@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -33,6 +34,24 @@ class MainTest {
                 + ":1: edges v0–v1 and v2–v3 cross at (2, 2); move a vertex of one of them,"
                 + " or read the file as sites with --as points\n");
     assertThat(bad.waitFor()).isEqualTo(3);
+  }
+
+  @Test
+  void a_picture_for_a_full_disk_ends_the_program_with_the_cause() throws Exception {
+    assumeTrue(Files.isWritable(Path.of("/dev/full")), "there is no such device here");
+    Path full = Files.createSymbolicLink(folder.resolve("full.png"), Path.of("/dev/full"));
+    Path file = Files.writeString(folder.resolve("t.txt"), "0 0\n4 0\n0 4\n");
+    Process process =
+        ProgramProcess.of(List.of(), "convert", file.toString(), "-o", full.toString()).start();
+    try {
+      assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
+      assertThat(ProgramProcess.text(process.getErrorStream()))
+          .contains("No space left on device")
+          .doesNotContain("fault of the program");
+      assertThat(process.exitValue()).isEqualTo(1);
+    } finally {
+      process.destroyForcibly();
+    }
   }
 
   @Test

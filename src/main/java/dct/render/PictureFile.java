@@ -12,7 +12,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 
 /** Writes scenes as pictures: light on white, the whole scene with a margin round it. */
 public final class PictureFile {
@@ -67,7 +66,7 @@ public final class PictureFile {
 
     void write(FileEnding ending, OutputStream out) throws IOException {
       switch (ending) {
-        case PNG -> ImageIO.write(image(), "png", out);
+        case PNG -> PngEncoder.write(image(), out);
         case SVG -> write(svg(), out);
         case PDF -> PdfPage.write(width, height, this::draw, out);
         case IPE -> write(ipe(), out);

@@ -1,6 +1,7 @@
 package dct.render.chart;
 
 import dct.core.Progress;
+import dct.render.PngEncoder;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
@@ -14,7 +15,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 
 /** Writes charts as pictures, light on white. */
 public final class ChartFile {
@@ -37,7 +37,7 @@ public final class ChartFile {
 
   private static void write(Chart chart, FileEnding ending, OutputStream out) throws IOException {
     switch (ending) {
-      case PNG -> ImageIO.write(image(chart), "png", out);
+      case PNG -> PngEncoder.write(image(chart), out);
       case SVG -> out.write(svg(chart).getBytes(StandardCharsets.UTF_8));
       case PDF -> PdfPage.write(WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
       default -> throw new IllegalArgumentException(ending + " is no chart");
