@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** True results pass; each lie is caught and named. */
 class VerifyCommandTest {
@@ -167,6 +168,24 @@ class VerifyCommandTest {
       assertThat(fault(lie))
           .isEqualTo("the field \"" + field + "\" is missing or no whole number" + CURE);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"flips", "evenBefore", "oddBefore"})
+  void figures_of_flips_need_flips(String field) {
+    JsonObject lie = json(result(POLYGON));
+    lie.addProperty(field, 2);
+    assertThat(fault(lie))
+        .isEqualTo("the field \"" + field + "\" is there, and no flips were asked for" + CURE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"satisfied", "unsatisfied", "unsatisfiedLowerBound", "wishes"})
+  void figures_of_wishes_need_the_wishes(String field) {
+    JsonObject lie = json(result(POLYGON, "--optimize", "even"));
+    lie.addProperty(field, 2);
+    assertThat(fault(lie))
+        .isEqualTo("the field \"" + field + "\" is there, and no text holds the wishes" + CURE);
   }
 
   // ---- lies about the triangulation ----

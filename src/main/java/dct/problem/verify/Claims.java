@@ -76,6 +76,11 @@ public final class Claims {
     return edges;
   }
 
+  /** Whether there is a field of this name, other than the points and the edges. */
+  boolean has(String name) {
+    return values.containsKey(name);
+  }
+
   /** The text in the field of this name, if it is there and a text. */
   public Optional<String> text(String name) {
     return values.get(name) instanceof String text ? Optional.of(text) : Optional.empty();

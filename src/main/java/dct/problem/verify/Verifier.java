@@ -84,9 +84,29 @@ public final class Verifier {
     String post = claims.text("post").orElse("");
     FalseClaim.unless(
         POSTS.contains(post), "the field \"post\" is none of \"none\", \"flip\", \"optimize\"");
+    checkFields();
     long merged = claims.required("merged");
     boolean possible = stored.method().domain() == Domain.SITES ? merged >= 0 : merged == 0;
     FalseClaim.unless(possible, "the field \"merged\" cannot be " + merged);
+  }
+
+  /** Fields that only another kind of result has claim what nothing here can bear out. */
+  private void checkFields() {
+    if (!isPost("flip")) {
+      refuse(List.of("flips", "evenBefore", "oddBefore"), "no flips were asked for");
+    }
+    if (claims.text("wishes").isEmpty()) {
+      refuse(
+          List.of("satisfied", "unsatisfied", "unsatisfiedLowerBound", "wishes"),
+          "no text holds the wishes");
+    }
+  }
+
+  private void refuse(List<String> fields, String why) {
+    for (String field : fields) {
+      FalseClaim.unless(
+          !claims.has(field), "the field \"" + field + "\" is there, and " + why);
+    }
   }
 
   /** Compares points and merged duplicates with the input, which alone can tell of duplicates. */
