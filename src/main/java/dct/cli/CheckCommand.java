@@ -3,6 +3,7 @@ package dct.cli;
 import com.google.gson.JsonObject;
 import dct.core.Progress;
 import dct.io.BadInputException;
+import dct.io.Shown;
 import dct.problem.Instance;
 import java.io.IOException;
 import picocli.CommandLine.Model.OptionSpec;
@@ -32,7 +33,7 @@ final class CheckCommand extends Verb {
       if (isSet(json)) {
         console().print(json(instance).toString());
       } else if (!isSet(quiet)) {
-        console().print(input.name() + ": " + instance.description());
+        console().print(Shown.harmless(input.name()) + ": " + instance.description());
       }
       return CommandLineProgram.DONE;
     } catch (BadInputException e) {

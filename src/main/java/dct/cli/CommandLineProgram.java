@@ -2,6 +2,7 @@ package dct.cli;
 
 import dct.io.BadInputException;
 import dct.io.CannotWriteException;
+import dct.io.Shown;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
@@ -152,8 +153,7 @@ public final class CommandLineProgram {
   }
 
   private int wrongUsage(String message, String name) {
-    String oneLine = message.lines().findFirst().orElse("wrong usage");
-    console.err().println(name + ": " + oneLine + "; see " + name + " --help");
+    console.err().println(name + ": " + Shown.harmless(message) + "; see " + name + " --help");
     return WRONG_USAGE;
   }
 
@@ -197,7 +197,7 @@ public final class CommandLineProgram {
       return String.format(
           Locale.ROOT,
           "dct: %s can be no file's name here; choose another or set a UTF-8 locale",
-          invalid.getInput());
+          Shown.harmless(invalid.getInput()));
     }
     if (e instanceof OutOfMemoryError) {
       return "dct: there is not enough memory; give Java more with -Xmx, for instance -Xmx4g";

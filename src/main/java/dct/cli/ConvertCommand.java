@@ -3,6 +3,7 @@ package dct.cli;
 import dct.core.Progress;
 import dct.io.FileEnding;
 import dct.io.PointDocument;
+import dct.io.Shown;
 import dct.problem.Solution;
 import java.io.IOException;
 import java.util.List;
@@ -48,7 +49,9 @@ final class ConvertCommand extends Verb {
       if (solution.isPresent() && holdsPointsAlone(file)) {
         console()
             .err()
-            .println(file + ": holds the points alone; the triangulation is left out, use .json");
+            .println(
+                Shown.harmless(file)
+                    + ": holds the points alone; the triangulation is left out, use .json");
       }
     }
   }

@@ -4,6 +4,7 @@ import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Triangulation;
+import dct.io.Shown;
 import dct.problem.Instance;
 import dct.problem.Solution;
 import java.util.Locale;
@@ -30,7 +31,7 @@ final class Summary {
     return String.format(
         Locale.ROOT,
         "%s: %d %s%s, %s: %d edges, %d triangles",
-        instance.name(),
+        Shown.harmless(instance.name()),
         instance.size(),
         instance.domain().vertices(),
         instance.mergedRemark(),

@@ -7,6 +7,7 @@ import dct.io.BadInputException;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.Shown;
 import dct.problem.Instance;
 import dct.problem.verify.Claims;
 import dct.problem.verify.Verdict;
@@ -93,7 +94,7 @@ final class VerifyCommand extends Verb {
       console().err().println(new BadInputException(name, check.line(), sentence).getMessage());
       return;
     }
-    StringBuilder text = new StringBuilder(name).append(": ");
+    StringBuilder text = new StringBuilder(Shown.harmless(name)).append(": ");
     text.append(
         verdict.outcome() == Outcome.TRUE ? "verified: " : "true as far as it could be verified: ");
     text.append(claims.points().size());

@@ -3,7 +3,7 @@ package dct.io;
 import java.util.Locale;
 
 /** Text of a file or a file's name as a message repeats it: short, and harmless on a terminal. */
-final class Shown {
+public final class Shown {
   private static final int LONGEST = 40; // characters
 
   private Shown() {}
@@ -15,7 +15,7 @@ final class Shown {
   }
 
   /** The text with its control characters, marks of direction and line ends as U+ and a number. */
-  static String harmless(String text) {
+  public static String harmless(String text) {
     StringBuilder shown = new StringBuilder(text.length());
     text.codePoints()
         .forEach(

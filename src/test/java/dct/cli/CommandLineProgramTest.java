@@ -257,4 +257,16 @@ class CommandLineProgramTest {
       Locale.setDefault(before);
     }
   }
+
+  @Test
+  void wrong_usage_repeats_a_word_without_its_control_characters() {
+    String word = "a\u001b[31m\nb";
+    String shown = "a<U+001B>[31m<U+000A>b";
+    assertThat(CliRun.of(word).err()).contains("\"" + shown + "\" is neither");
+    assertThat(CliRun.of("generate", "points", "-n", word).err())
+        .contains(shown + " is not a whole number")
+        .hasLineCount(1);
+    assertThat(CliRun.of("generate", "points", "-n", "5", "--shape", word).err())
+        .contains("--shape " + shown + " is unknown");
+  }
 }

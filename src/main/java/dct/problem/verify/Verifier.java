@@ -104,8 +104,7 @@ public final class Verifier {
 
   private void refuse(List<String> fields, String why) {
     for (String field : fields) {
-      FalseClaim.unless(
-          !claims.has(field), "the field \"" + field + "\" is there, and " + why);
+      FalseClaim.unless(!claims.has(field), "the field \"" + field + "\" is there, and " + why);
     }
   }
 

@@ -1,12 +1,12 @@
 package dct.render.chart;
 
 import dct.core.Progress;
-import dct.render.PngEncoder;
 import dct.io.AtomicFile;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.render.PdfPage;
+import dct.render.PngEncoder;
 import dct.render.Theme;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
