@@ -10,6 +10,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.SiteBounds;
 import dct.core.degree.exact.ExactSites;
 import dct.core.triangulate.Triangulation;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -29,7 +30,8 @@ import java.util.function.Supplier;
  *   <li>An exact method, if one applies: the table of the polygon that the sites are the corners of
  *       ({@link HullPolygon}), or {@link ExactSites}.
  *   <li>The bounds that take longer ({@link SiteBounds}), and against them the beam search over
- *       strips; after a few strips the slowest bound, by windows.
+ *       strips; after a few strips the slowest bound, by windows. Of a lattice, other walks come
+ *       before the strips: where its rows do not fill the hull one walk in dozens succeeds.
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
@@ -40,6 +42,8 @@ public final class SiteOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
+  private static final int FEW = 4; // triangulations of a lattice from which searches begin anew
+  private static final int ANEW = 1 << 16; // sites of all those searches together
   private static final double GRACE = 0.1; // seconds, for what is quickly done
 
   private final Triangulation start;
@@ -50,6 +54,7 @@ public final class SiteOptimizer {
   private final Deadline late; // for what follows when the limit has struck
   private Triangulation best;
   private int unmet;
+  private SiteSearch search; // the best one
   private LowerBound bound;
 
   private SiteOptimizer(
@@ -117,16 +122,18 @@ public final class SiteOptimizer {
   }
 
   private void search() {
-    SiteSearch search = searchFrom(start);
+    search = searchFrom(start, 0);
     search.alignRectangles();
     boolean solved = false;
     try {
-      search = paired(search);
+      List<Supplier<Triangulation>> lattice = isOpen() ? LatticeStarts.of(start, clock) : List.of();
+      pairUp(lattice);
       clock.checkCancelled();
-      solved = isOpen(search) && solveExactly();
-      if (isOpen(search) && !solved) {
+      solved = isOpen() && solveExactly();
+      if (isOpen() && !solved) {
         bound = bound.max(SiteBounds.walked(start, goal, bound, clock));
-        solveStrips(search);
+        pairUpAnew(lattice);
+        solveStrips();
       }
     } finally {
       if (!solved && search.unmet() <= unmet) {
@@ -135,42 +142,63 @@ public final class SiteOptimizer {
     }
   }
 
-  private void solveStrips(SiteSearch search) {
+  private void solveStrips() {
     search.solveStrips(bound.value(), LITTLE_EFFORT * limits.effort());
-    if (isOpen(search)) {
+    if (isOpen()) {
       bound = bound.max(SiteBounds.ofWindows(start, goal, search.unmet(), clock));
       search.solveStrips(bound.value(), limits.effort());
     }
   }
 
-  private SiteSearch searchFrom(Triangulation triangulation) {
-    return new SiteSearch(triangulation, goal, limits.seed(), clock);
+  /** A search whose random choices are others for each number. */
+  private SiteSearch searchFrom(Triangulation triangulation, int number) {
+    return new SiteSearch(triangulation, goal, limits.seed() + number, clock);
   }
 
-  private boolean isOpen(SiteSearch search) {
+  private boolean isOpen() {
     return search.unmet() > bound.value();
   }
 
-  /** The best of several searches, this one and those from the triangulations of a lattice. */
-  private SiteSearch paired(SiteSearch search) {
-    List<Supplier<Triangulation>> lattice =
-        isOpen(search) ? LatticeStarts.of(start, clock) : List.of();
+  /**
+   * Keeps the best of several searches, the first one and those from a lattice's triangulations.
+   */
+  private void pairUp(List<Supplier<Triangulation>> lattice) {
     for (Supplier<Triangulation> other : lattice) {
       Triangulation made = other.get();
       if (goal.unmet(made) <= bound.value()) {
-        return searchFrom(made);
+        search = searchFrom(made, 0);
+        return;
       }
     }
-    SiteSearch best = search;
-    for (int k = 0; k < lattice.size() && isOpen(best) && !clock.isCancelled(); k++) {
-      SiteSearch next = searchFrom(lattice.get(k).get());
-      next.pairUp(bound.value(), LITTLE_PATIENCE);
-      best = next.unmet() < best.unmet() ? next : best;
+    SiteSearch first = search;
+    for (int k = 0; k < lattice.size() && isOpen() && !clock.isCancelled(); k++) {
+      pairUp(searchFrom(lattice.get(k).get(), 0), LITTLE_PATIENCE);
     }
-    if (isOpen(best)) {
-      search.pairUp(bound.value(), PATIENCE);
+    if (isOpen()) {
+      first.pairUp(bound.value(), PATIENCE);
+      search = search.unmet() < first.unmet() ? search : first;
     }
-    return best.unmet() < search.unmet() ? best : search;
+  }
+
+  /** Begins anew from those triangulations of a lattice that leave the fewest unmet. */
+  private void pairUpAnew(List<Supplier<Triangulation>> lattice) {
+    double times = lattice.isEmpty() ? 0 : limits.effort() * ANEW / start.vertexCount();
+    if (times > 0 && isOpen()) {
+      List<Triangulation> few =
+          lattice.stream()
+              .map(Supplier::get)
+              .sorted(Comparator.comparingInt(goal::unmet))
+              .limit(FEW)
+              .toList();
+      for (int k = 0; k < times && isOpen() && !clock.isCancelled(); k++) {
+        pairUp(searchFrom(few.get(k % few.size()), 1 + k / few.size()), PATIENCE);
+      }
+    }
+  }
+
+  private void pairUp(SiteSearch next, int patience) {
+    next.pairUp(bound.value(), patience);
+    search = next.unmet() < search.unmet() ? next : search;
   }
 
   private void take(Triangulation found) {

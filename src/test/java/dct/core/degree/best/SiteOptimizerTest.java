@@ -384,6 +384,24 @@ class SiteOptimizerTest {
     }
   }
 
+  /** Only one walk in dozens succeeds here, whichever triangulation of the lattice it is from. */
+  @ParameterizedTest
+  @CsvSource({"12, 97", "23, 361"})
+  void a_lattice_whose_last_row_is_a_part_of_one_attains_its_bound(int columns, int n) {
+    double[] pairs = new double[2 * n];
+    for (int i = 0; i < n; i++) {
+      int row = i / columns;
+      pairs[2 * i] = i % columns;
+      pairs[2 * i + 1] = row;
+    }
+    Sites sites = Sites.of(Points.ofPairs(pairs), Progress.NONE);
+    ParityGoal goal = ParityGoal.allEven(n);
+    Optimum best = BestTriangulation.of(sites, goal, SearchLimits.DEFAULT, Progress.NONE);
+    requireSound(best, sites);
+    assertThat(best.unmet()).isEqualTo(2);
+    assertThat(best.isProven()).isTrue();
+  }
+
   // ---- no site inside the hull
 
   @Test
