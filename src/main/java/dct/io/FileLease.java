@@ -88,7 +88,7 @@ public final class FileLease implements Closeable {
       if (Files.exists(file)) {
         return Optional.of(new FileLease(file, channel));
       }
-      channel.close(); // whoever held it before has just ended and taken the file away
+      channel.close(); // the holder before has just ended and removed the file
     }
     return Optional.empty();
   }

@@ -13,7 +13,7 @@ package dct.core.geometry;
  */
 public final class Predicates {
 
-  /** Which stage decided; of interest to tests and to nobody else. */
+  /** Which stage decided; only tests look at it. */
   enum Stage {
     FILTER,
     UNROUNDED,
