@@ -46,12 +46,15 @@ final class InputParameters {
   /** Reads the input; what it is declared to be is what was asked for, if anything was. */
   PointDocument read(Progress progress) throws IOException {
     Optional<Domain> asked = asked();
-    String input = name();
-    PointDocument document =
-        input.equals(Verb.STANDARD_STREAM)
-            ? PointFile.read(input, console.in())
-            : PointFile.read(path(input), progress);
+    PointDocument document = read(name(), console, progress);
     return asked.isPresent() ? document.declared(asked.get()) : document;
+  }
+
+  /** Reads the points of a file, or of standard input. */
+  static PointDocument read(String name, Console console, Progress progress) throws IOException {
+    return name.equals(Verb.STANDARD_STREAM)
+        ? PointFile.read(name, console.in())
+        : PointFile.read(path(name), progress);
   }
 
   /**

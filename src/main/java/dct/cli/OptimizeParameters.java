@@ -6,6 +6,7 @@ import dct.core.degree.SearchLimits;
 import dct.io.BadInputException;
 import dct.io.WishFile;
 import dct.problem.Instance;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -13,12 +14,14 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** What the user wishes of the degrees, and how long to look for it. */
 final class OptimizeParameters {
+  private final Console console;
   private final OptionSpec goal;
   private final OptionSpec timeLimit;
   private final OptionSpec seed;
 
   /** Declares them. */
   OptimizeParameters(Verb verb) {
+    console = verb.console();
     goal =
         verb.option(
             "--optimize",
@@ -51,12 +54,15 @@ final class OptimizeParameters {
    *
    * @throws UsageException if they do not
    */
-  void check(boolean flip) {
+  void check(String input, boolean flip) {
     if (isAsked() && flip) {
       throw new UsageException("--flip and --optimize exclude each other, leave one out");
     }
     if (!isAsked() && (timeLimit.getValue() != null || seed.getValue() != null)) {
       throw new UsageException("--time-limit and --seed belong to --optimize, which is missing");
+    }
+    if (input.equals(Verb.STANDARD_STREAM) && input.equals(goal.getValue())) {
+      throw new UsageException("INPUT and --optimize both want standard input, name a file");
     }
     Double seconds = timeLimit.getValue();
     if (seconds != null && !(seconds >= 0)) {
@@ -65,15 +71,16 @@ final class OptimizeParameters {
   }
 
   /** The instance with what the user wishes of its vertices. */
-  Instance wishedOf(Instance instance) {
+  Instance wishedOf(Instance instance) throws IOException {
     return instance.with(wished(instance.size()));
   }
 
-  private ParityGoal wished(int n) {
+  private ParityGoal wished(int n) throws IOException {
     String word = goal.getValue();
     return switch (word) {
       case "even" -> ParityGoal.allEven(n);
       case "odd" -> ParityGoal.allOdd(n);
+      case Verb.STANDARD_STREAM -> WishFile.read(word, console.in(), n);
       default -> WishFile.read(wishFile(word), n, Progress.NONE);
     };
   }

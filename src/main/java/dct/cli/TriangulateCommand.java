@@ -53,7 +53,7 @@ final class TriangulateCommand extends Verb {
     if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
-    optimize.check(isSet(flip));
+    optimize.check(input.name(), isSet(flip));
     Stopwatch watch = new Stopwatch();
     Instance instance = input.instance(Progress.NONE);
     checkNames(outputs, instance.domain());
@@ -82,7 +82,7 @@ final class TriangulateCommand extends Verb {
   /** A solution and how long its steps took. */
   private record Made(Solution solution, Optional<ResultJson.Millis> millis) {}
 
-  private Made make(Instance instance, Stopwatch watch, Progress progress) {
+  private Made make(Instance instance, Stopwatch watch, Progress progress) throws IOException {
     double read = watch.lap();
     Method chosen = chosen(instance.domain());
     Instance asked = optimize.isAsked() ? optimize.wishedOf(instance) : instance;

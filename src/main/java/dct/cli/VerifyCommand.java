@@ -5,7 +5,6 @@ import com.google.gson.JsonObject;
 import dct.core.Progress;
 import dct.io.BadInputException;
 import dct.io.PointDocument;
-import dct.io.PointFile;
 import dct.io.ResultJson;
 import dct.io.Shown;
 import dct.problem.Instance;
@@ -55,6 +54,9 @@ final class VerifyCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     String name = result.getValue();
+    if (name.equals(STANDARD_STREAM) && name.equals(inputFile.getValue())) {
+      throw new UsageException("RESULT.json and --input both want standard input, name a file");
+    }
     Claims claims =
         name.equals(STANDARD_STREAM)
             ? ResultJson.read(name, console().in())
@@ -72,12 +74,12 @@ final class VerifyCommand extends Verb {
     };
   }
 
-  private Optional<Instance> input(Claims claims) {
+  private Optional<Instance> input(Claims claims) throws IOException {
     String file = inputFile.getValue();
     if (file == null) {
       return Optional.empty();
     }
-    PointDocument document = PointFile.read(InputParameters.path(file), Progress.NONE);
+    PointDocument document = InputParameters.read(file, console(), Progress.NONE);
     return Optional.of(
         (document.declared().isEmpty()
                 ? claims.domain().map(document::declared).orElse(document)

@@ -50,7 +50,13 @@ public final class WishFile {
     AtomicFile.write(file, progress, out -> out.write(bytes));
   }
 
-  private static ParityGoal read(String name, InputStream in, int n) throws IOException {
+  /**
+   * Reads the wishes for n vertices from a stream.
+   *
+   * @param name what messages call it, "-" for standard input
+   * @throws BadInputException if a line is not of that form, or a vertex does not exist
+   */
+  public static ParityGoal read(String name, InputStream in, int n) throws IOException {
     Wish[] wishes = new Wish[n];
     Arrays.fill(wishes, Wish.EVEN);
     BufferedReader reader = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));

@@ -211,6 +211,9 @@ class ForgedResultTest {
     assertThat(verify(result).status()).isEqualTo(5);
     assertThat(verify(result).out()).contains("2 merged duplicates were not recounted");
     assertThat(verify(result, "--input", input).status()).isZero();
+    Path file = Files.writeString(folder.resolve("result.json"), result.toString());
+    assertThat(CliRun.withInput(SQUARES, "verify", file, "--input", "-").status()).isZero();
+    assertThat(verify(result, "--input", "-").status()).isEqualTo(2);
     result.addProperty("merged", 3);
     assertThat(verify(result, "--input", input).err())
         .contains("the field \"merged\" says 3, but it is 2");

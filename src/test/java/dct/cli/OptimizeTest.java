@@ -120,4 +120,13 @@ class OptimizeTest {
                 + "\n");
     assertThat(run.status()).isEqualTo(3);
   }
+
+  @Test
+  void wishesMayComeFromStandardInput() throws IOException {
+    Path polygon = Files.writeString(folder.resolve("p.txt"), "0 0\n9 1\n10 8\n1 9\n");
+    CliRun run = CliRun.withInput("0 odd\n2 odd\n", "triangulate", polygon, "--optimize", "-");
+    assertThat(run.done().out()).contains("4 of 4 wishes granted");
+    assertThat(CliRun.of("triangulate", "-", "--optimize", "-").err())
+        .contains("INPUT and --optimize both want standard input");
+  }
 }
