@@ -85,7 +85,7 @@ final class DelaunayMerge {
   /** Triangulates the part [lo, hi), which is that of the node if it has one. */
   private Part triangulate(int lo, int hi, boolean byX, int node) {
     if (hi - lo <= KdOrder.LEAF) {
-      order.sortFew(lo, hi, true);
+      order.sortFew(lo, hi);
       return triangulateSorted(lo, hi);
     }
     int middle = order.cellCut(node);

@@ -95,14 +95,17 @@ final class KdOrder {
     return byX ? px < qx || (px == qx && py < qy) : py < qy || (py == qy && px < qx);
   }
 
-  /** Sorts a few sites by x and then y, or by y and then x, by insertion. */
-  void sortFew(int lo, int hi, boolean byX) {
+  /**
+   * Sorts a few sites by x and then y, by insertion: a constant order, since this runs in every
+   * leaf.
+   */
+  void sortFew(int lo, int hi) {
     for (int i = lo + 1; i < hi; i++) {
       double px = x[i];
       double py = y[i];
       int s = site[i];
       int j = i;
-      for (; j > lo && precedes(px, py, x[j - 1], y[j - 1], byX); j--) {
+      for (; j > lo && precedes(px, py, x[j - 1], y[j - 1], true); j--) {
         x[j] = x[j - 1];
         y[j] = y[j - 1];
         site[j] = site[j - 1];
@@ -158,6 +161,14 @@ final class KdOrder {
     return looks;
   }
 
+  private void sortFive(int lo, int hi, boolean byX) {
+    for (int i = lo + 1; i < hi; i++) {
+      for (int j = i; j > lo && precedes(x[j], y[j], x[j - 1], y[j - 1], byX); j--) {
+        swap(j, j - 1);
+      }
+    }
+  }
+
   /**
    * Puts a site at lo that three tenths of [lo, hi] precede and three tenths follow: the median of
    * the medians of five (Blum, Floyd, Pratt, Rivest and Tarjan 1973).
@@ -168,7 +179,7 @@ final class KdOrder {
     int medians = lo;
     for (int five = lo; five <= hi; five += 5) {
       int end = Math.min(five + 5, hi + 1);
-      sortFew(five, end, byX);
+      sortFive(five, end, byX);
       swap(medians++, (five + end - 1) >>> 1);
     }
     int middle = (lo + medians - 1) >>> 1;
