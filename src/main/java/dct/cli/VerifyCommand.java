@@ -9,6 +9,7 @@ import dct.io.ResultJson;
 import dct.io.Shown;
 import dct.problem.Instance;
 import dct.problem.verify.Claims;
+import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Verdict;
 import dct.problem.verify.Verdict.Check;
 import dct.problem.verify.Verdict.Outcome;
@@ -21,8 +22,6 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** {@code dct verify}: whether a result file tells the truth. */
 final class VerifyCommand extends Verb {
-  private static final String CURE = "; make the result again from its input";
-
   private final PositionalParamSpec result =
       parameter("RESULT.json", "The result; - is standard input.");
   private final OptionSpec inputFile =
@@ -92,7 +91,7 @@ final class VerifyCommand extends Verb {
     Optional<Check> fault = verdict.first(Outcome.FALSE);
     if (fault.isPresent()) {
       Check check = fault.get();
-      String sentence = check.detail() + CURE;
+      String sentence = check.detail() + FalseClaim.CURE;
       console().err().println(new BadInputException(name, check.line(), sentence).getMessage());
       return;
     }

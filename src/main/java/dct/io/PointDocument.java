@@ -149,8 +149,7 @@ public final class PointDocument {
     try {
       return result.map(claims -> Restoration.of(claims, progress));
     } catch (FalseClaim e) {
-      throw new BadInputException(
-          source, e.line(), e.getMessage() + "; make the result again from its input");
+      throw new BadInputException(source, e.line(), e.getMessage() + FalseClaim.CURE);
     }
   }
 

@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.problem.Solution;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -65,8 +66,8 @@ final class FaultLog implements Thread.UncaughtExceptionHandler {
   private static String text(Throwable fault) {
     StringWriter text = new StringWriter();
     PrintWriter out = new PrintWriter(text);
-    String version = FaultLog.class.getPackage().getImplementationVersion();
-    out.println(Instant.now() + ", version " + version + ", Java " + Runtime.version());
+    out.println(
+        Instant.now() + ", version " + Solution.programVersion() + ", Java " + Runtime.version());
     fault.printStackTrace(out);
     out.flush();
     return text.toString();

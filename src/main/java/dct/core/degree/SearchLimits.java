@@ -26,6 +26,12 @@ public record SearchLimits(long seed, double effort, double seconds) {
   /** The states that one exact sweep over sites may have: a byte each. */
   public static final long MOST_STATES = 60_000_000;
 
+  /**
+   * Seconds that the limit waits, however short it is, for what is quickly done: the first of the
+   * thesis's triangulations and the bounds.
+   */
+  public static final double GRACE = 0.1;
+
   /** Seed 1, the usual effort, no limit of time. */
   public static final SearchLimits DEFAULT = new SearchLimits(1, 1, Double.POSITIVE_INFINITY);
 }

@@ -2,6 +2,9 @@ package dct.problem.verify;
 
 /** Thrown at the first claim of a result file that is not true. */
 public final class FalseClaim extends RuntimeException {
+  /** What mends a false claim, behind its message. */
+  public static final String CURE = "; make the result again from its input";
+
   private static final long serialVersionUID = 1L;
   private final int line;
 

@@ -49,7 +49,7 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
     LowerBound quick = SiteBounds.quick(start, goal, progress);
     return quick.value() >= claimed
         ? new BoundCheck(Verdict.RECOMPUTED, quick)
-        : judge(BestTriangulation.of(start, goal, limits(), progress), claimed, progress);
+        : judge(SiteOptimizer.optimize(start, goal, quick, limits(), progress), claimed, progress);
   }
 
   /**

@@ -41,8 +41,6 @@ import java.util.concurrent.CancellationException;
  * tenth of a second.
  */
 public final class PolygonOptimizer {
-  private static final double GRACE = 0.1; // seconds, for what comes first
-
   /** So many vertices take the thesis's algorithms a few milliseconds. */
   private static final int SMALL = 10_000;
 
@@ -68,7 +66,7 @@ public final class PolygonOptimizer {
     this.goal = goal;
     this.limits = limits;
     clock = new Deadline(progress, limits.seconds());
-    early = new Deadline(progress, Math.max(GRACE, limits.seconds()));
+    early = new Deadline(progress, Math.max(SearchLimits.GRACE, limits.seconds()));
     bound = PolygonBounds.of(polygon.size(), goal);
     best = start;
   }

@@ -44,7 +44,6 @@ public final class SiteOptimizer {
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
   private static final int FEW = 4; // triangulations of a lattice from which searches begin anew
   private static final int ANEW = 1 << 16; // sites of all those searches together
-  private static final double GRACE = 0.1; // seconds, for what is quickly done
 
   private final Triangulation start;
   private final ParityGoal goal;
@@ -67,8 +66,8 @@ public final class SiteOptimizer {
     this.goal = goal;
     this.limits = limits;
     clock = new Deadline(progress, limits.seconds());
-    early = new Deadline(progress, Math.max(GRACE, limits.seconds()));
-    late = new Deadline(progress, limits.seconds() + GRACE);
+    early = new Deadline(progress, Math.max(SearchLimits.GRACE, limits.seconds()));
+    late = new Deadline(progress, limits.seconds() + SearchLimits.GRACE);
     bound = known == null ? SiteBounds.quick(start, goal, early) : known;
     best = start;
     unmet = goal.unmet(start);
