@@ -4,6 +4,8 @@ package dct.render;
  * The edges of a layer in the order of their nearer ends along the curve of a {@link SceneIndex}.
  */
 final class IndexedEdges {
+  private static final double SHORT = 1e-140; // the squares of shorter ones lose their digits
+
   private final Stroke stroke;
   private final int[] from; // the place of one end, by edge
   private final int[] to; // the place of the other
@@ -29,9 +31,15 @@ final class IndexedEdges {
       int b = to[k];
       blocks.include(k, x[a], y[a]);
       blocks.include(k, x[b], y[b]);
-      double length = Math.sqrt((x[a] - x[b]) * (x[a] - x[b]) + (y[a] - y[b]) * (y[a] - y[b]));
-      longest[k / Blocks.SIZE] = Math.max(longest[k / Blocks.SIZE], length);
+      longest[k / Blocks.SIZE] =
+          Math.max(longest[k / Blocks.SIZE], length(x[a] - x[b], y[a] - y[b]));
     }
+  }
+
+  /** The length of a vector; a slower way where the squares of its parts are no numbers. */
+  private static double length(double dx, double dy) {
+    double length = Math.sqrt(dx * dx + dy * dy);
+    return length > SHORT ? length : Math.hypot(dx, dy);
   }
 
   private void sort(EdgeLayer layer, int[] places) {

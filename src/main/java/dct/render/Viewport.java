@@ -50,7 +50,17 @@ public final class Viewport {
             roomY / Math.max(box.halfHeight(), SMALLEST_HALF));
     boolean point = box.halfWidth() == 0 && box.halfHeight() == 0;
     double scale = point ? 1 : fitting;
-    return new Viewport(scale, box.centerX(), box.centerY(), width / 2, height / 2, yUp);
+    double x = box.centerX();
+    double y = box.centerY();
+    double right = scale * rounding(box.minX(), x, box.maxX());
+    double down = scale * rounding(box.minY(), y, box.maxY());
+    double atY = height / 2 + (yUp ? down : -down);
+    return new Viewport(scale, x, y, width / 2 - right, atY, yUp);
+  }
+
+  /** How far the middle of a range lies behind its rounded value: half an ulp, or nothing. */
+  private static double rounding(double min, double middle, double max) {
+    return (min - middle) / 2 + (max - middle) / 2;
   }
 
   /** Pixels per model unit. */
@@ -92,7 +102,12 @@ public final class Viewport {
     if (!(target > 1 / LARGEST_SCALE && target < LARGEST_SCALE)) {
       return this;
     }
-    return new Viewport(target, modelX(screenX), modelY(screenY), screenX, screenY, yUp);
+    double nearX = modelX(screenX);
+    double nearY = modelY(screenY);
+    // Numbers are sparse in what is zoomed very far: the nearest one need not be at this place.
+    double atNearX = screenX + factor * (screenX(nearX) - screenX);
+    double atNearY = screenY + factor * (screenY(nearY) - screenY);
+    return new Viewport(target, nearX, nearY, atNearX, atNearY, yUp);
   }
 
   /** This viewport with everything on the screen moved by so many pixels. */
@@ -107,7 +122,10 @@ public final class Viewport {
 
   /** This viewport with y the other way, and this place of the screen kept where it is. */
   public Viewport flipped(double screenX, double screenY) {
-    return new Viewport(scale, modelX(screenX), modelY(screenY), screenX, screenY, !yUp);
+    double nearX = modelX(screenX);
+    double nearY = modelY(screenY);
+    double atNearY = 2 * screenY - screenY(nearY);
+    return new Viewport(scale, nearX, nearY, screenX(nearX), atNearY, !yUp);
   }
 
   @Override

@@ -117,6 +117,15 @@ class ScenePainterTest {
   }
 
   @Test
+  void theEdgesOfTinyShapesAreDrawnToo() {
+    Points tiny = Points.ofPairs(0, 0, 1e-200, 0, 1e-200, 1e-200, 0, 2e-200);
+    Scene scene = Scene.polygon(tiny, false, List.of());
+    RecordingPen pen = new RecordingPen();
+    ScenePainter.paint(scene, ScenePainter.fitted(scene, 1000, 700, false), SCREEN, pen);
+    assertThat(pen.count("line", Ink.BOUNDARY)).isEqualTo(4);
+  }
+
+  @Test
   void labelsAreWrittenOnRequest() {
     Scene scene = Scene.of(Fixtures.pentagon());
     assertThat(painted(scene.withLabels(new Labels(true, false))).texts())

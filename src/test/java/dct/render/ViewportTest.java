@@ -52,6 +52,31 @@ class ViewportTest {
     assertThat(view.screenY(5)).isCloseTo(300, within(1e-9));
   }
 
+  /** The middle of a shape that is an odd number of ulps wide is no number. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aShapeOfOneUlpLiesInTheMiddle(boolean yUp) {
+    double next = Math.nextUp(1.0);
+    Viewport view = Viewport.fit(new Box(1, 1, next, next), 1000, 700, 40, yUp);
+    assertThat(view.screenX(1)).isCloseTo(190, within(1e-6));
+    assertThat(view.screenX(next)).isCloseTo(810, within(1e-6));
+    assertThat(view.screenY(yUp ? next : 1)).isCloseTo(40, within(1e-6));
+    assertThat(view.screenY(yUp ? 1 : next)).isCloseTo(660, within(1e-6));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void amongNeighbouringNumbersZoomAndAxisKeepThePlaceToo(boolean yUp) {
+    double next = Math.nextUp(1.0);
+    Viewport view = Viewport.fit(new Box(1, 1, next, next), 1000, 700, 40, yUp);
+    Viewport zoomed = view.zoomed(2, 400, 300);
+    assertThat(zoomed.screenX(1)).isCloseTo(400 + 2 * (view.screenX(1) - 400), within(1e-6));
+    assertThat(zoomed.screenY(1)).isCloseTo(300 + 2 * (view.screenY(1) - 300), within(1e-6));
+    Viewport turned = view.flipped(400, 300);
+    assertThat(turned.screenX(1)).isCloseTo(view.screenX(1), within(1e-6));
+    assertThat(turned.screenY(1)).isCloseTo(600 - view.screenY(1), within(1e-6));
+  }
+
   @Test
   void yUpPutsTheGreaterYHigher() {
     Viewport view = Viewport.fit(new Box(0, 0, 10, 10), 800, 600, 20, true);
