@@ -16,23 +16,23 @@ public enum Ink {
   /** The outline of a polygon, or the hull of sites. */
   BOUNDARY(0x20242C, 0xD5D8DE),
   /** Diagonals and interior edges: green. */
-  DIAGONAL(0x12A53A, 0x3FCB62),
+  DIAGONAL(0x0E9A35, 0x3FCB62),
   /** Diagonals of the decomposition into convex or monotone pieces: cyan. */
-  PARTITION(0x00B7D6, 0x35DCF5),
+  PARTITION(0x0098B8, 0x35DCF5),
   /** Diagonals made by a flip: magenta. */
   FLIPPED(0xE812D2, 0xFF6BF0),
   /** Edges and places that keep a polygon from being simple: red. */
   DEFECT(0xD8000C, 0xFF4D4F),
   /** Rings round vertices that do not have the parity wished: orange. */
-  UNMET(0xF06400, 0xFF9838),
+  UNMET(0xE25A00, 0xFF9838),
   /** Vertices whose degree is not decided yet. */
   VERTEX(0x3C4350, 0xC4C9D4),
   /** Words and numbers. */
   LABEL(0x20242C, 0xE4E6EB),
   /** What is only proposed: the edges that the next click would make. */
-  PROPOSED(0x8A93A3, 0x7E8798),
+  PROPOSED(0x7D8798, 0x7E8798),
   /** What the mouse points at. */
-  HIGHLIGHT(0xF59E0B, 0xFBBF24);
+  HIGHLIGHT(0xBF7300, 0xFBBF24);
 
   private final int light;
   private final int dark;

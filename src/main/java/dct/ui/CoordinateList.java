@@ -2,6 +2,7 @@ package dct.ui;
 
 import dct.core.Decimals;
 import dct.core.geometry.Points;
+import java.awt.Color;
 import java.awt.Font;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
@@ -24,7 +25,7 @@ final class CoordinateList extends JScrollPane {
 
   private static final int PAUSE_MILLIS = 150;
 
-  private final JTextArea coordinates = new JTextArea();
+  private final JTextArea coordinates = new BrightText();
   private final LineNumbers numbers = new LineNumbers(coordinates);
   private final Timer pause = new Timer(PAUSE_MILLIS, e -> write(shown()));
   private transient Points shown;
@@ -38,7 +39,6 @@ final class CoordinateList extends JScrollPane {
     coordinates.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 8));
     setViewportView(coordinates);
     setRowHeaderView(numbers);
-    brighten();
   }
 
   private Points shown() {
@@ -77,16 +77,16 @@ final class CoordinateList extends JScrollPane {
     numbers.setLines(lines);
   }
 
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    if (coordinates != null) { // not yet while the superclass is made
-      brighten();
-    }
-  }
+  /** A text that cannot be edited, but is not disabled either, in every look. */
+  private static final class BrightText extends JTextArea {
+    private static final long serialVersionUID = 1L;
 
-  /** The text cannot be edited, but it is not disabled either. */
-  private void brighten() {
-    coordinates.setBackground(UIManager.getColor("TextField.background"));
+    @Override
+    public void updateUI() {
+      super.updateUI();
+      // A colour of the look's own would be replaced when the look changes, by that of fields that
+      // are disabled.
+      setBackground(new Color(UIManager.getColor("TextField.background").getRGB()));
+    }
   }
 }
