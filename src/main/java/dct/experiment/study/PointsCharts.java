@@ -36,6 +36,7 @@ final class PointsCharts {
         "Even vertices of sites",
         "sites" + ERRORS,
         "even vertices, %",
+        true,
         List.of(),
         List.of(
             shares("Best", Look.VIOLET, StudyRow.BEST),
@@ -64,6 +65,7 @@ final class PointsCharts {
         "By how much Scan-Flip increases the even vertices",
         "sites" + ERRORS,
         "increase, %",
+        false,
         List.of(),
         List.of(
             Groups.overKeys("Scan-Flip", Look.BLUE, bySize, PointsColumns::increase),
@@ -76,6 +78,7 @@ final class PointsCharts {
         "Even vertices by the shape of the sets",
         "shape" + ERRORS,
         "even vertices, %",
+        true,
         List.copyOf(byShape.keySet()),
         List.of(
             bars("Delaunay", Look.PALE_BLUE, PointsColumns.BEFORE),

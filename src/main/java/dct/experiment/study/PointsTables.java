@@ -34,6 +34,7 @@ final class PointsTables {
             .toList();
     return new Table(
         "Table 4.4 again: odd and even vertices of random sites",
+        3,
         List.of(
             "Shape",
             "Set",
@@ -116,6 +117,7 @@ final class PointsTables {
     }
     return new Table(
         "Share of even vertices in per cent: mean ± half the 95 % interval (standard deviation)",
+        3,
         List.of(
             "Shape",
             "Points",
@@ -124,8 +126,8 @@ final class PointsTables {
             "Scan-Flip",
             "Increase",
             "Thesis: Delaunay",
-            "Scan-Flip",
-            "increase",
+            "thesis: Scan-Flip",
+            "thesis: increase",
             "Scan-Flip repeated",
             "Best",
             "Proven best"),

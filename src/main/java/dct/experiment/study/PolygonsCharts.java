@@ -49,6 +49,7 @@ final class PolygonsCharts {
         "Even vertices of random polygons with " + n + " vertices",
         "shape" + ERRORS,
         SHARE,
+        true,
         List.copyOf(groups.keySet()),
         series((name, look, value) -> Groups.bars(name, look, groups.values(), value)));
   }
@@ -87,6 +88,7 @@ final class PolygonsCharts {
         title,
         x + ERRORS,
         SHARE,
+        true,
         List.of(),
         series((name, look, value) -> Groups.overKeys(name, look, groups, value)));
   }

@@ -34,6 +34,7 @@ final class PolygonsTables {
                     .forEach((n, group) -> cells.add(sizeCells(shape, n, group))));
     return new Table(
         "Share of even vertices of random polygons in per cent",
+        2,
         columns("Shape", "Vertices", "Polygons", "Reflex vertices", "Convex pieces"),
         cells,
         List.of(WORDS));
@@ -86,6 +87,7 @@ final class PolygonsTables {
     }
     return new Table(
         what + ", and the share of even vertices in per cent",
+        1,
         columns(what, "Polygons"),
         cells,
         List.of("All shapes together, " + Bin.FEWEST_VERTICES + " vertices or more. " + WORDS));
@@ -104,6 +106,7 @@ final class PolygonsTables {
     }
     return new Table(
         "Share of even vertices of the given polygons in per cent",
+        1,
         columns("File", "Vertices", "Reflex vertices", "Convex pieces"),
         cells,
         List.of());

@@ -6,12 +6,13 @@ import java.util.List;
  * A table for people; immutable.
  *
  * @param title what it shows
- * @param columns the heads of the columns
+ * @param keys how many columns, the first ones, name the rows
+ * @param columns the heads of the columns; one in small letters goes on from that before it
  * @param rows the cells, as many in each row as there are columns
  * @param notes what has to be known to read it, a sentence each
  */
 public record Table(
-    String title, List<String> columns, List<List<String>> rows, List<String> notes) {
+    String title, int keys, List<String> columns, List<List<String>> rows, List<String> notes) {
 
   /** Checks that the rows are whole. */
   public Table {

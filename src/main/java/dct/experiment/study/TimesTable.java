@@ -24,6 +24,7 @@ final class TimesTable {
     }
     return new Table(
         "Time of each step in milliseconds, the median",
+        3,
         columns,
         cells,
         List.of("Trials ran on several threads at once, which slows each of them."));

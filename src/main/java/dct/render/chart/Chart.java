@@ -9,6 +9,7 @@ import java.util.List;
  * @param title what it shows
  * @param xLabel what runs to the right
  * @param yLabel what runs upwards
+ * @param isShare whether y is a share in per cent, whose axis ends at 100
  * @param categories the names along x for a chart of bars; empty where x is a number
  * @param series what is drawn, in the order of the legend
  */
@@ -17,6 +18,7 @@ public record Chart(
     String title,
     String xLabel,
     String yLabel,
+    boolean isShare,
     List<String> categories,
     List<Series> series) {
 

@@ -28,6 +28,7 @@ public final class ChartPainter {
   private static final int SLANT = 25; // degrees; of the names below bars
   private static final int GRID_ALPHA = 0x50000000;
   private static final double BARS = 0.86; // part of the width that bars take
+  private static final double WHOLE = 100; // per cent
   private static final double RANGE = 50; // of the x-values, beyond which their axis is logarithmic
 
   private final Chart chart;
@@ -118,6 +119,9 @@ public final class ChartPainter {
         .setMarkerSize(MARKER)
         .setPlotBorderVisible(false)
         .setToolTipsEnabled(false);
+    if (chart.isShare()) {
+      styler.setYAxisMax(WHOLE);
+    }
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
     styler.setPlotGridLinesStroke(new BasicStroke(HAIR));
     styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));

@@ -2,6 +2,7 @@ package dct.render.chart;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import dct.render.chart.Chart.Look;
 import dct.render.chart.Chart.Series;
@@ -11,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.IntPredicate;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.apache.pdfbox.Loader;
@@ -26,6 +28,7 @@ class ChartFileTest {
           "Lines & more",
           "n",
           "%",
+          false,
           List.of(),
           List.of(
               new Series(
@@ -37,6 +40,7 @@ class ChartFileTest {
           "Bars",
           "shape",
           "%",
+          false,
           List.of("one", "two"),
           List.of(
               new Series("a", Look.BLUE, List.of(), List.of(1.0, 3.0), errors(2)),
@@ -47,6 +51,7 @@ class ChartFileTest {
           "Nothing",
           "n",
           "%",
+          false,
           List.of(),
           List.of(new Series("a", Look.GREEN, List.of(), List.of(), List.of())));
 
@@ -79,6 +84,35 @@ class ChartFileTest {
       }
       assertThat(pixels).as("%s in %s", look, chart.word()).isGreaterThan(50);
     }
+  }
+
+  @Test
+  void an_axis_of_shares_ends_at_100_however_long_the_error_bars_are() throws IOException {
+    Chart shares =
+        new Chart(
+            "shares",
+            "Shares",
+            "shape",
+            "%",
+            true,
+            List.of("one", "two"),
+            List.of(
+                new Series("a", Look.BLUE, List.of(), List.of(100.0, 98.0), List.of(0.0, 9.0))));
+    BufferedImage image = ImageIO.read(write(shares, ".png").toFile());
+    int topOfBar = firstRow(image, 0, image.getWidth(), rgb -> rgb == Look.BLUE.rgb());
+    int topOfGrid = firstRow(image, 170, 171, rgb -> rgb != 0xFFFFFF); // left of bars and title
+    assertThat(topOfGrid).isCloseTo(topOfBar, within(2));
+  }
+
+  private static int firstRow(BufferedImage image, int from, int to, IntPredicate wanted) {
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = from; x < to; x++) {
+        if (wanted.test(image.getRGB(x, y) & 0xFFFFFF)) {
+          return y;
+        }
+      }
+    }
+    throw new AssertionError("no such pixel");
   }
 
   @Test
