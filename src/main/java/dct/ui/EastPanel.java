@@ -3,6 +3,7 @@ package dct.ui;
 import com.formdev.flatlaf.FlatClientProperties;
 import dct.core.triangulate.Domain;
 import dct.ui.command.Command;
+import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.tool.Tool;
 import java.awt.BorderLayout;
@@ -10,20 +11,17 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GridLayout;
 import java.util.EnumMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
 import javax.swing.BoxLayout;
-import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
+import javax.swing.JTabbedPane;
 
 /**
  * The thesis's east panel: the choice of the application, the checkboxes of the mouse modes, the
@@ -34,30 +32,38 @@ final class EastPanel extends JPanel {
   private static final int WIDTH = 274;
   private static final int GAP = 6;
 
+  /** The thesis's buttons of each application, from top to bottom. */
+  private static final Map<Domain, List<String>> BUTTONS =
+      Map.of(
+          Domain.POLYGON,
+          List.of(
+              "Clear Canvas",
+              "Convex Polygon Even Triangulation",
+              "Convex Polygon Odd Triangulation",
+              "Monotone Polygon Triangulation",
+              "Perform Flip"),
+          Domain.SITES,
+          List.of("Clear Canvas", "Perform Flip", "Random Sites"));
+
   private final transient Workbench workbench;
-  private final Map<Domain, AbstractButton> applications = new EnumMap<>(Domain.class);
-  private final transient Map<Tool, AbstractButton> tools = new LinkedHashMap<>();
   private final Map<Domain, JComponent> buttons = new EnumMap<>(Domain.class);
   private final CoordinateList coordinates = new CoordinateList();
-  private final ButtonGroup oneTool = new ButtonGroup();
+  private final JTabbedPane tabs = new JTabbedPane();
   private JComponent toolBoxes;
 
-  EastPanel(
-      Workbench workbench,
-      Map<Domain, Command> chooseApplication,
-      Map<Tool, Command> chooseTool,
-      Map<Domain, List<Command>> algorithms) {
+  /** A panel whose boxes and buttons are these commands. */
+  EastPanel(Workbench workbench, CommandRegistry commands) {
     super(new BorderLayout(0, 12));
     this.workbench = workbench;
     setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
     setPreferredSize(new Dimension(WIDTH, 0));
     JPanel top = new JPanel();
     top.setLayout(new BoxLayout(top, BoxLayout.Y_AXIS));
-    top.add(applications(chooseApplication));
-    toolBoxes = tools(chooseTool);
+    top.add(applications(commands));
+    toolBoxes = tools(commands);
     top.add(toolBoxes);
     for (Domain domain : Domain.values()) {
-      JComponent column = buttons(algorithms.get(domain));
+      JComponent column = buttons(BUTTONS.get(domain).stream().map(commands::get).toList());
       buttons.put(domain, column);
       top.add(column);
     }
@@ -66,28 +72,22 @@ final class EastPanel extends JPanel {
     refresh();
   }
 
-  private JComponent applications(Map<Domain, Command> commands) {
-    ButtonGroup oneOfThem = new ButtonGroup();
-    JComponent column = column(commands.size());
-    commands.forEach(
-        (domain, command) -> {
-          JRadioButton button = new JRadioButton(command);
-          oneOfThem.add(button);
-          applications.put(domain, named(button, command));
-          column.add(button);
-        });
+  private static JComponent applications(CommandRegistry commands) {
+    JComponent column = column(Domain.values().length);
+    for (Domain domain : Domain.values()) {
+      Command command = commands.get(ModeCommands.name(domain));
+      column.add(named(new JRadioButton(command), command));
+    }
     return column;
   }
 
   /** Checkboxes, as in the thesis; at most one of them is chosen, none for a tool of the menu. */
-  private JComponent tools(Map<Tool, Command> commands) {
+  private JComponent tools(CommandRegistry commands) {
     JComponent column = column(workbench.boxes().size());
     column.setBorder(BorderFactory.createEmptyBorder(14, 0, 0, 0));
     for (Tool tool : workbench.boxes()) {
-      JCheckBox box = new JCheckBox(commands.get(tool));
-      oneTool.add(box);
-      tools.put(tool, named(box, commands.get(tool)));
-      column.add(box);
+      Command command = commands.get(tool.name());
+      column.add(named(new JCheckBox(command), command));
     }
     return column;
   }
@@ -115,20 +115,13 @@ final class EastPanel extends JPanel {
   }
 
   private JComponent bottom() {
-    JPanel panel = new JPanel(new BorderLayout(0, GAP));
-    JLabel title = new JLabel("Coordinates");
-    title.setLabelFor(coordinates);
-    panel.add(title, BorderLayout.NORTH);
-    panel.add(coordinates, BorderLayout.CENTER);
-    panel.add(Box.createVerticalStrut(0), BorderLayout.SOUTH);
-    return panel;
+    tabs.setName("tabs");
+    tabs.addTab("Coordinates", coordinates);
+    return tabs;
   }
 
   /** Shows the state of the workbench. */
   void refresh() {
-    workbench.domain().ifPresent(domain -> applications.get(domain).setSelected(true));
-    oneTool.clearSelection();
-    workbench.tool().map(tools::get).ifPresent(box -> box.setSelected(true));
     toolBoxes.setVisible(workbench.domain().isPresent());
     buttons.forEach(
         (domain, column) ->

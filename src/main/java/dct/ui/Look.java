@@ -3,6 +3,7 @@ package dct.ui;
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Window;
 import java.util.Map;
 
 /** The look and feel of all windows. */
@@ -36,5 +37,10 @@ public final class Look {
       FlatDarkLaf.setup();
     }
     FlatLaf.updateUI();
+    for (Window window : Window.getWindows()) {
+      if (window instanceof CommandWindow other) {
+        other.commands().refresh(); // its tick follows, too
+      }
+    }
   }
 }

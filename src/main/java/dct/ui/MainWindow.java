@@ -3,28 +3,29 @@ package dct.ui;
 import dct.core.Decimals;
 import dct.core.geometry.Defect;
 import dct.core.triangulate.Domain;
+import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.canvas.ToolMouse;
+import dct.ui.command.CommandMenu;
+import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.job.Jobs;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
 import java.awt.BorderLayout;
 import java.awt.Cursor;
-import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
-import javax.swing.AbstractAction;
-import javax.swing.JComponent;
+import java.util.Map;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
 /** The thesis's window: menu bar, canvas, east panel; and a status line. */
-public final class MainWindow extends JFrame {
+public final class MainWindow extends JFrame implements CommandWindow {
   private static final long serialVersionUID = 1L;
   private static final String PROGRAM = "Degree Constrained Triangulation";
 
@@ -32,10 +33,11 @@ public final class MainWindow extends JFrame {
   private final transient Workbench workbench;
   private final StatusBar status;
   private final EastPanel east;
-  private final transient MainCommands commands;
+  private final transient CommandRegistry commands = new CommandRegistry();
   private final transient FileWork files;
-  private final transient PolygonResults polygons;
+  private final transient ResultFrames results;
   private final transient StudyWork studies;
+  private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
   private transient Editor last; // what was shown before
   private boolean leaving; // as soon as all files are written
 
@@ -45,20 +47,34 @@ public final class MainWindow extends JFrame {
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs()::cancelCurrent);
-    polygons = new PolygonResults(workbench, this, canvas);
-    SitesWork sites = new SitesWork(this, workbench, canvas::showWell);
+    results = new ResultFrames(workbench, this, canvas::labels);
     files = new FileWork(this, workbench, this::showOpened);
-    WishWork wishes = new WishWork(this, workbench, files::folder);
-    RandomPolygon random = new RandomPolygon(this, workbench, canvas::showWell);
-    commands = new MainCommands(workbench, polygons, sites, random, wishes);
-    east = new EastPanel(workbench, commands.applications(), commands.tools(), commands.buttons());
     studies = new StudyWork(this, canvas, workbench.jobs());
-    MainMenu menu = new MainMenu(this, canvas, files, commands, studies);
-    setJMenuBar(menu.bar());
+    offerCommands();
+    east = new EastPanel(workbench, commands);
+    setJMenuBar(CommandMenu.bar(MenuTable.MAIN, commands));
     layOut();
     listen();
     refresh();
     Placement.centre(this);
+  }
+
+  private void offerCommands() {
+    ModeCommands.offer(commands, workbench);
+    EditCommands.offer(commands, workbench);
+    FileCommands.offer(commands, files, canvas, this::close);
+    TriangulateCommands.offer(
+        commands,
+        workbench,
+        new ResultWork(workbench, results::showLate),
+        new WishWork(this, workbench, files::folder));
+    RandomCommands.offer(commands, this, workbench, canvas::showWell);
+    studies.offer(commands);
+    ViewCommands.offer(commands, canvas);
+    HelpCommands.offer(commands, this);
+    commands.add(
+        "Give Up", "ESCAPE", "Puts a dragged vertex back, or stops what goes on", this::giveUp);
+    commands.bindKeys(getRootPane());
   }
 
   private void layOut() {
@@ -86,28 +102,9 @@ public final class MainWindow extends JFrame {
     new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
     workbench.addListener(this::refresh);
+    workbench.addListener(results::refresh);
     workbench.jobs().setListener(new JobListener());
     setTransferHandler(new FileDrop(files::open));
-    onKey("ctrl Y", () -> workbench.active().ifPresent(Editor::redo));
-    onKey("ESCAPE", this::giveUp);
-  }
-
-  private void onKey(String key, Runnable action) {
-    getRootPane()
-        .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
-        .put(KeyStroke.getKeyStroke(key), key);
-    getRootPane()
-        .getActionMap()
-        .put(
-            key,
-            new AbstractAction() {
-              private static final long serialVersionUID = 1L;
-
-              @Override
-              public void actionPerformed(ActionEvent e) {
-                action.run();
-              }
-            });
   }
 
   private void giveUp() {
@@ -131,9 +128,7 @@ public final class MainWindow extends JFrame {
   private void refresh() {
     Editor editor = workbench.active().orElse(null);
     if (editor != last) {
-      last = editor;
-      canvas.showActualSize();
-      showAll(editor);
+      showOther(editor);
     } else if (editor != null) {
       canvas.setScene(editor.shown().scene());
     }
@@ -145,10 +140,20 @@ public final class MainWindow extends JFrame {
     setTitle(title());
   }
 
-  private void showAll(Editor editor) {
+  /** Shows the other application where it was left. */
+  private void showOther(Editor editor) {
+    if (last != null) {
+      views.put(last, canvas.viewport());
+    }
+    last = editor;
     canvas.setScene(editor.shown().scene());
-    if (editor.document().size() > 0) {
+    Viewport view = views.get(editor);
+    if (view != null) {
+      canvas.setViewport(view);
+    } else if (editor.document().size() > 0) {
       canvas.showWell();
+    } else {
+      canvas.showActualSize();
     }
   }
 
@@ -204,11 +209,21 @@ public final class MainWindow extends JFrame {
             ? "Close the application?"
             : "Changes are not saved in: " + String.join(", ", unsaved) + ". Close all the same?";
     if (Ask.confirm(this, "Exit", question, "Exit")) {
-      polygons.dispose();
+      results.dispose();
       studies.dispose();
       workbench.jobs().shutDown();
       dispose();
     }
+  }
+
+  /** Closes the window as its close button does, which asks first. */
+  private void close() {
+    dispatchEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSING));
+  }
+
+  @Override
+  public CommandRegistry commands() {
+    return commands;
   }
 
   /** The canvas. */

@@ -1,26 +1,26 @@
 package dct.ui;
 
-import dct.io.FileEnding;
-import dct.io.FileEnding.Content;
 import dct.render.Labels;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
-import dct.ui.command.Command;
 import dct.ui.command.CommandMenu;
+import dct.ui.command.CommandRegistry;
+import dct.ui.document.Result;
 import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import javax.swing.JFrame;
-import javax.swing.JMenuBar;
 
 /** A frame that shows one result. */
-public final class ResultFrame extends JFrame {
+public final class ResultFrame extends JFrame implements CommandWindow {
   private static final long serialVersionUID = 1L;
   private static final Dimension CANVAS = new Dimension(600, 480);
 
   private final CanvasPanel canvas = new CanvasPanel();
+  private final transient CommandRegistry commands = new CommandRegistry();
+  private final String name; // of what the result is of
 
   /**
    * A frame that is not visible yet.
@@ -33,30 +33,45 @@ public final class ResultFrame extends JFrame {
   public ResultFrame(String method, String name, Scene scene, Labels labels, Jobs jobs) {
     super(method + " · " + name);
     setName("result");
+    this.name = name;
     canvas.setPreferredSize(CANVAS);
     canvas.setLabels(labels);
     canvas.setScene(scene);
-    canvas.getAccessibleContext().setAccessibleDescription(String.join("; ", scene.counts()));
+    describe();
     canvas.addComponentListener(new FitAtFirst());
     add(canvas, BorderLayout.CENTER);
-    setJMenuBar(menuBar(name, jobs));
+    offer(name, jobs);
+    setJMenuBar(CommandMenu.bar(MenuTable.RESULT, commands));
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
   }
 
-  private JMenuBar menuBar(String name, Jobs jobs) {
-    JMenuBar bar = new JMenuBar();
-    bar.add(
-        new CommandMenu("File")
-            .with(
-                new Command(
-                    "Export Picture",
-                    "ctrl E",
-                    "Writes what is seen to a picture: " + FileEnding.list(Content.PICTURE),
-                    () -> PictureExport.ask(this, canvas, name, jobs)))
-            .line()
-            .with(new Command("Close", "ctrl W", "Closes this window", this::dispose)));
-    bar.add(ViewMenu.of(canvas));
-    return bar;
+  private void offer(String name, Jobs jobs) {
+    commands.add(
+        "Export Picture",
+        "ctrl E",
+        FileCommands.pictures(),
+        () -> PictureExport.ask(this, canvas, name, jobs));
+    commands.add("Close", "ctrl W", "Closes this window", this::dispose);
+    ViewCommands.offer(commands, canvas);
+    commands.bindKeys(getRootPane());
+  }
+
+  /** Shows a result of the same points, in the same part of the canvas. */
+  void show(Result result) {
+    setTitle(result.title() + " · " + name);
+    canvas.setScene(result.scene());
+    describe();
+  }
+
+  private void describe() {
+    canvas
+        .getAccessibleContext()
+        .setAccessibleDescription(String.join("; ", canvas.scene().counts()));
+  }
+
+  @Override
+  public CommandRegistry commands() {
+    return commands;
   }
 
   /** The canvas. */

@@ -3,8 +3,7 @@ package dct.ui;
 import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyPicture;
 import dct.ui.canvas.CanvasPanel;
-import dct.ui.command.Command;
-import dct.ui.command.CommandMenu;
+import dct.ui.command.CommandRegistry;
 import dct.ui.job.Jobs;
 import dct.ui.study.StudyDialog;
 import dct.ui.study.StudyHost;
@@ -20,7 +19,9 @@ import java.util.Map;
 import java.util.Optional;
 import javax.swing.JFrame;
 
-/** The menu Study: a dialog for each study, and frames for the pictures of its rows. */
+/**
+ * The commands of the menu Study: a dialog for each study, and frames for the pictures of its rows.
+ */
 final class StudyWork implements StudyHost {
   private final JFrame owner;
   private final CanvasPanel canvas;
@@ -40,13 +41,11 @@ final class StudyWork implements StudyHost {
     this.jobs = jobs;
   }
 
-  /** The menu. */
-  CommandMenu menu() {
-    CommandMenu menu = new CommandMenu("Study");
+  /** Offers a command for each study. */
+  void offer(CommandRegistry commands) {
     for (StudyKind kind : StudyKind.values()) {
-      menu.with(new Command(kind.title() + "…", "", kind.description(), () -> open(kind)));
+      commands.add(kind.title() + "…", "", kind.description(), () -> open(kind));
     }
-    return menu;
   }
 
   private void open(StudyKind kind) {

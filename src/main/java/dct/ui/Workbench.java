@@ -73,6 +73,11 @@ public final class Workbench implements ToolContext {
     return domain;
   }
 
+  /** Whether this application is chosen. */
+  public boolean isChosen(Domain of) {
+    return domain.filter(of::equals).isPresent();
+  }
+
   /** Chooses an application. */
   public void choose(Domain chosen) {
     if (domain.filter(chosen::equals).isEmpty()) {

@@ -1,43 +1,77 @@
 package dct.ui.command;
 
+import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
 
 /** Something that a menu, a button or a key can do. */
 public final class Command extends AbstractAction {
   private static final long serialVersionUID = 1L;
 
+  private final String id;
   private final String description;
   private final transient Runnable run;
+  private final transient List<KeyStroke> keys = new ArrayList<>();
   private transient BooleanSupplier condition = () -> true;
+  private transient BooleanSupplier selection; // null if the command is neither on nor off
   private transient Supplier<String> name;
 
   /**
    * A command that is always enabled.
    *
+   * @param id what it is called, in tables of commands and as long as nothing else is said
    * @param key as {@link KeyStroke#getKeyStroke(String)} takes it; empty for none
    * @param description a sentence for the tooltip and the list of commands
    */
-  public Command(String name, String key, String description, Runnable run) {
-    super(name);
+  public Command(String id, String key, String description, Runnable run) {
+    super(id);
+    this.id = id;
     this.description = description;
     this.run = run;
-    this.name = () -> name;
+    this.name = () -> id;
     if (!key.isEmpty()) {
-      putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
+      KeyStroke stroke = stroke(key);
+      keys.add(stroke);
+      putValue(ACCELERATOR_KEY, stroke);
     }
     putValue(SHORT_DESCRIPTION, key.isEmpty() ? description : description + " (" + keyText() + ")");
+  }
+
+  private static KeyStroke stroke(String key) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(key);
+    if (stroke == null) {
+      throw new IllegalArgumentException("there is no key " + key);
+    }
+    return stroke;
+  }
+
+  /** Gives the command further keys, which menus do not show. */
+  public Command alsoOn(String... others) {
+    for (String key : others) {
+      keys.add(stroke(key));
+    }
+    return this;
   }
 
   /** Makes the command depend on a condition, looked at by {@link #refresh}. */
   public Command enabledWhen(BooleanSupplier condition) {
     this.condition = condition;
+    refresh();
+    return this;
+  }
+
+  /** Makes the command one that is on or off, looked at by {@link #refresh}. */
+  public Command selectedWhen(BooleanSupplier on) {
+    selection = on;
     refresh();
     return this;
   }
@@ -49,10 +83,18 @@ public final class Command extends AbstractAction {
     return this;
   }
 
-  /** Brings name and enablement up to date. */
+  /** Brings name, enablement and selection up to date. */
   public void refresh() {
     putValue(Action.NAME, name.get());
     setEnabled(condition.getAsBoolean());
+    if (selection != null) {
+      putValue(Action.SELECTED_KEY, selection.getAsBoolean());
+    }
+  }
+
+  /** What tables of commands call it, whatever the state. */
+  public String id() {
+    return id;
   }
 
   /** The name as it is now. */
@@ -63,6 +105,16 @@ public final class Command extends AbstractAction {
   /** What the command does. */
   public String description() {
     return description;
+  }
+
+  /** Whether the command is one that is on or off. */
+  public boolean isSwitch() {
+    return selection != null;
+  }
+
+  /** All its keys, the one that menus show first. */
+  public List<KeyStroke> keys() {
+    return List.copyOf(keys);
   }
 
   /** Its key for a person to read; empty if it has none. */
@@ -77,8 +129,31 @@ public final class Command extends AbstractAction {
     return modifiers.isEmpty() ? main : modifiers + "+" + main;
   }
 
+  /** Does it, if it is enabled. */
+  public void perform() {
+    if (isEnabled()) {
+      run.run();
+    }
+  }
+
   @Override
   public void actionPerformed(ActionEvent e) {
-    run.run();
+    if (!isTyping()) {
+      perform();
+    }
+    if (isSwitch()) {
+      refresh(); // a button has turned the switch already, whatever came of it
+    }
+  }
+
+  /** Whether the event is a plain key that belongs to the text which is being typed. */
+  private static boolean isTyping() {
+    return EventQueue.getCurrentEvent() instanceof KeyEvent key
+        && !key.isControlDown()
+        && !key.isAltDown()
+        && !key.isMetaDown()
+        && !key.isActionKey()
+        && key.getComponent() instanceof JTextComponent text
+        && text.isEditable();
   }
 }

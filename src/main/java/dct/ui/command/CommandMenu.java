@@ -1,60 +1,64 @@
 package dct.ui.command;
 
-import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
+import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 
-/** A menu of commands, which it can list. */
+/** A menu of commands, which are looked up by their names. */
 public final class CommandMenu extends JMenu {
   private static final long serialVersionUID = 1L;
 
-  private final transient List<Command> commands = new ArrayList<>();
+  /** Stands for a line between items. */
+  public static final String LINE = "-";
 
-  /** An empty menu, opened by Alt and the first letter of its title. */
-  public CommandMenu(String title) {
-    super(title);
-    setName(title);
-    setMnemonic(title.charAt(0));
+  /**
+   * What a menu holds, from top to bottom.
+   *
+   * @param title its title; Alt and its first letter open it
+   * @param items names of commands or of menus, and lines
+   */
+  public record Plan(String title, List<String> items) {
+    /** A plan of these items. */
+    public static Plan of(String title, String... items) {
+      return new Plan(title, List.of(items));
+    }
   }
 
-  /** Adds a command. */
-  public CommandMenu with(Command command) {
-    commands.add(command);
-    add(named(new JMenuItem(command), command));
-    return this;
+  private CommandMenu(Plan plan, CommandRegistry registry) {
+    super(plan.title());
+    setName(plan.title());
+    setMnemonic(plan.title().charAt(0));
+    for (String name : plan.items()) {
+      if (name.equals(LINE)) {
+        addSeparator();
+      } else {
+        add(
+            registry
+                .submenu(name)
+                .map(JMenuItem.class::cast)
+                .orElseGet(() -> item(registry.get(name))));
+      }
+    }
+    Mnemonics.give(this);
   }
 
-  /** Adds a command that is on or off. */
-  public CommandMenu withSwitch(Command command, boolean on) {
-    commands.add(command);
-    JCheckBoxMenuItem item = new JCheckBoxMenuItem(command);
-    item.setSelected(on);
-    add(named(item, command));
-    return this;
-  }
-
-  private static JMenuItem named(JMenuItem item, Command command) {
-    item.setName(command.name());
+  private static JMenuItem item(Command command) {
+    JMenuItem item = command.isSwitch() ? new JCheckBoxMenuItem(command) : new JMenuItem(command);
+    item.setName(command.id());
     item.setToolTipText(null); // a menu shows the key itself
     return item;
   }
 
-  /** Adds a menu within this one. */
-  public CommandMenu with(JMenu menu) {
-    add(menu);
-    return this;
-  }
-
-  /** Adds a line. */
-  public CommandMenu line() {
-    addSeparator();
-    return this;
-  }
-
-  /** The commands, in the order of the menu. */
-  public List<Command> commands() {
-    return List.copyOf(commands);
+  /**
+   * A menu bar.
+   *
+   * @throws java.util.NoSuchElementException if the registry lacks a command of a plan
+   */
+  public static JMenuBar bar(List<Plan> plans, CommandRegistry registry) {
+    JMenuBar bar = new JMenuBar();
+    plans.forEach(plan -> bar.add(new CommandMenu(plan, registry)));
+    return bar;
   }
 }

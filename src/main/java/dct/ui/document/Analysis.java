@@ -1,7 +1,6 @@
 package dct.ui.document;
 
 import dct.core.Progress;
-import dct.core.degree.ParityGoal;
 import dct.core.geometry.Crossings;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
@@ -20,29 +19,32 @@ import java.util.Optional;
 
 /**
  * What follows from the points of a document at once: for sites, from the third on, the Delaunay
- * triangulation, with or without flips; for a polygon, what keeps it from being simple. Immutable.
+ * triangulation; for a polygon, what keeps it from being simple. Sites of which something else was
+ * made are shown with that. Immutable.
  */
 public final class Analysis {
   private final Document document;
-  private final Optional<Solution> solution;
+  private final Optional<Solution> automatic;
   private final List<Defect> defects; // the first is the one to name
-  private final Scene scene;
+  private final Scene scene; // of the points and what follows from them
   private final boolean growing; // of a polygon: the last edge is still provisional
   private final boolean pending;
+  private final Scene shown; // with the wishes, and the result where there is one
 
   private Analysis(
       Document document,
-      Optional<Solution> solution,
+      Optional<Solution> automatic,
       List<Defect> defects,
       Scene scene,
       boolean growing,
       boolean pending) {
     this.document = document;
-    this.solution = solution;
+    this.automatic = automatic;
     this.defects = defects;
-    this.scene = scene.withWishes(document.wishes());
+    this.scene = scene;
     this.growing = growing;
     this.pending = pending;
+    shown = shownResult().map(Result::scene).orElse(scene).withWishes(document.wishes());
   }
 
   /**
@@ -98,20 +100,12 @@ public final class Analysis {
     }
     try {
       Instance instance = document.instance("", progress);
-      return sites(document, Solution.of(instance, Method.DELAUNAY, progress));
+      Solution solution = Solution.of(instance, Method.DELAUNAY, progress);
+      Scene scene = Scene.of(solution);
+      return new Analysis(document, Optional.of(solution), List.of(), scene, false, false);
     } catch (InvalidGeometryException e) {
       return path(document, e.defect(), progress);
     }
-  }
-
-  private static Analysis sites(Document document, Solution solution) {
-    Scene scene = Scene.of(solution);
-    return new Analysis(document, Optional.of(solution), List.of(), scene, false, false);
-  }
-
-  /** This analysis with another solution for the sites. */
-  public Analysis with(Solution other) {
-    return sites(document, other);
   }
 
   /** Whether this is a whole analysis of these points, wherever it was made. */
@@ -119,10 +113,9 @@ public final class Analysis {
     return !pending && document.points().equals(points);
   }
 
-  /** This analysis with other wishes; what was said of the old ones is no longer shown. */
-  Analysis wishing(ParityGoal wishes) {
-    return new Analysis(
-        document.with(wishes), solution, defects, scene.withoutVerdict(), growing, pending);
+  /** The same of a document with the same points; its wishes and its result may be others. */
+  Analysis with(Document other) {
+    return new Analysis(other, automatic, defects, scene, growing, pending);
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
@@ -136,9 +129,23 @@ public final class Analysis {
     return document;
   }
 
-  /** The triangulation of the sites; nothing for a polygon, or for sites without a triangle. */
+  /** What was made of the sites, or their Delaunay triangulation; nothing without a triangle. */
   public Optional<Solution> solution() {
-    return solution;
+    return shownResult()
+        .map(Result::solution)
+        .or(() -> automatic.map(delaunay -> wishing(delaunay, document)));
+  }
+
+  private static Solution wishing(Solution solution, Document document) {
+    boolean same = solution.instance().wishes().equals(document.wishes());
+    return same || solution.instance().size() != document.size()
+        ? solution
+        : solution.wishing(document.wishes());
+  }
+
+  /** The result that takes the place of the points in the picture: that of sites. */
+  private Optional<Result> shownResult() {
+    return document.domain() == Domain.SITES ? document.result() : Optional.empty();
   }
 
   /** What keeps the polygon from being simple, or the sites from having a triangle. */
@@ -148,6 +155,6 @@ public final class Analysis {
 
   /** The picture. */
   public Scene scene() {
-    return scene;
+    return shown;
   }
 }

@@ -5,6 +5,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.problem.Instance;
+import java.util.Optional;
 
 /**
  * A state of what is edited; immutable.
@@ -12,8 +13,15 @@ import dct.problem.Instance;
  * @param domain which of the two applications it belongs to
  * @param points the vertices of the polygon, or the sites, in the order entered
  * @param wishes the parity that is wished of each vertex, even unless the user said otherwise
+ * @param result what was made of the points last, if anything was; sites without a result are shown
+ *     with their Delaunay triangulation
  */
-public record Document(Domain domain, Points points, ParityGoal wishes) {
+public record Document(Domain domain, Points points, ParityGoal wishes, Optional<Result> result) {
+
+  /** A document of which nothing was made yet. */
+  public Document(Domain domain, Points points, ParityGoal wishes) {
+    this(domain, points, wishes, Optional.empty());
+  }
 
   /** A document in which every vertex is wished to be even. */
   public Document(Domain domain, Points points) {
@@ -25,14 +33,19 @@ public record Document(Domain domain, Points points, ParityGoal wishes) {
     return new Document(domain, Points.ofPairs());
   }
 
-  /** This document with its vertices at other places. */
+  /** This document with its vertices at other places; a result of the old ones is left out. */
   public Document with(Points moved) {
     return new Document(domain, moved, wishes);
   }
 
-  /** This document with other wishes. */
+  /** This document with other wishes; the triangulation stays, what was said of it does not. */
   public Document with(ParityGoal others) {
-    return new Document(domain, points, others);
+    return new Document(domain, points, others, result.map(made -> made.wishing(others)));
+  }
+
+  /** This document with another result, or none. */
+  public Document with(Optional<Result> other) {
+    return new Document(domain, points, wishes, other);
   }
 
   /**

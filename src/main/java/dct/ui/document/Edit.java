@@ -3,8 +3,12 @@ package dct.ui.document;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
+import java.util.Optional;
 
-/** A named change of a document that can be taken back: {@code revert(apply(d))} equals d. */
+/**
+ * A named change of a document that can be taken back: {@code revert(apply(d))} equals d. A change
+ * of the points drops the result, which {@link History} brings back.
+ */
 public sealed interface Edit {
 
   /** What the menus call it, behind "Undo" or "Redo". */
@@ -51,6 +55,11 @@ public sealed interface Edit {
   /** Other points altogether, every one wished to be even. */
   static Edit replace(String label, Document document, Points points) {
     return new Replace(label, document, new Document(document.domain(), points));
+  }
+
+  /** Something made of the points, or nothing: the points alone. */
+  static Edit result(String label, Document document, Optional<Result> after) {
+    return new Made(label, document.result(), after);
   }
 
   private static Document inserted(Document document, int vertex, double x, double y, Wish wish) {
@@ -142,6 +151,19 @@ public sealed interface Edit {
     @Override
     public Document revert(Document document) {
       return before;
+    }
+  }
+
+  /** See {@link #result}. */
+  record Made(String label, Optional<Result> before, Optional<Result> after) implements Edit {
+    @Override
+    public Document apply(Document document) {
+      return document.with(after);
+    }
+
+    @Override
+    public Document revert(Document document) {
+      return document.with(before);
     }
   }
 }

@@ -154,11 +154,17 @@ public final class Editor {
     changed();
   }
 
-  /** Shows what else came of the document that is shown, unless it has changed since. */
-  public void showInstead(Analysis other) {
-    if (shown.document().equals(other.document())) {
-      show(other);
+  /**
+   * Takes over what was made of a document, as a named step, unless the document has changed since.
+   *
+   * @return whether it was taken over
+   */
+  public boolean accept(String label, Document of, Result result) {
+    boolean same = document().equals(of);
+    if (same) {
+      perform(Edit.result(label, of, Optional.of(result)));
     }
+    return same;
   }
 
   private void analyse() {
@@ -170,7 +176,7 @@ public final class Editor {
   private void analyseVisible() {
     Document document = visible();
     if (shown.isOf(document.points())) {
-      show(shown.wishing(document.wishes()));
+      show(shown.with(document));
     } else if (document.size() <= AT_ONCE) {
       show(Analysis.of(document, growing, Progress.NONE));
     } else {

@@ -4,22 +4,38 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 
 /** A document with the edits that led to it, and those that were taken back. */
 public final class History {
-  private final Deque<Edit> done = new ArrayDeque<>();
-  private final Deque<Edit> undone = new ArrayDeque<>();
+  private final Document start;
+  private final Deque<Step> done = new ArrayDeque<>(); // the last first
+  private final Deque<Step> undone = new ArrayDeque<>();
   private Document present;
   private Points saved;
   private ParityGoal savedWishes; // they have a file of their own
+  private Optional<Result> savedResult;
+
+  /**
+   * An edit that was made.
+   *
+   * @param before the result at the time, which the edit may have dropped
+   */
+  private record Step(Edit edit, Optional<Result> before) {}
 
   /** A history that begins with this document, which counts as saved. */
   public History(Document start) {
+    this.start = start;
     present = start;
     saved = start.points();
     savedWishes = start.wishes();
+    savedResult = start.result();
   }
 
   /** The document as it is now. */
@@ -29,37 +45,57 @@ public final class History {
 
   /** Applies an edit; what was undone before is forgotten. */
   public void perform(Edit edit) {
-    present = edit.apply(present);
-    done.push(edit);
+    apply(edit);
     undone.clear();
+  }
+
+  private void apply(Edit edit) {
+    done.push(new Step(edit, present.result()));
+    present = edit.apply(present);
   }
 
   /** Takes the last edit back, if there is one. */
   public void undo() {
     if (!done.isEmpty()) {
-      Edit edit = done.pop();
-      present = edit.revert(present);
-      undone.push(edit);
+      Step step = done.pop();
+      present = step.edit.revert(present).with(step.before);
+      undone.push(step);
     }
   }
 
   /** Applies the edit again that was taken back last, if there is one. */
   public void redo() {
     if (!undone.isEmpty()) {
-      Edit edit = undone.pop();
-      present = edit.apply(present);
-      done.push(edit);
+      apply(undone.pop().edit);
     }
   }
 
   /** The name of the edit that {@link #undo} would take back. */
   public Optional<String> undoLabel() {
-    return Optional.ofNullable(done.peek()).map(Edit::label);
+    return Optional.ofNullable(done.peek()).map(step -> step.edit.label());
   }
 
   /** The name of the edit that {@link #redo} would apply. */
   public Optional<String> redoLabel() {
-    return Optional.ofNullable(undone.peek()).map(Edit::label);
+    return Optional.ofNullable(undone.peek()).map(step -> step.edit.label());
+  }
+
+  /**
+   * The result that each view showed last, by the number of the view; also of points that have
+   * changed since.
+   */
+  public Map<Integer, Result> results() {
+    Map<Integer, Result> latest = new TreeMap<>();
+    start.result().ifPresent(result -> latest.put(result.view(), result));
+    List<Step> steps = new ArrayList<>(done);
+    Collections.reverse(steps);
+    for (Step step : steps) {
+      if (step.edit instanceof Edit.Made made) {
+        made.after().ifPresent(result -> latest.put(result.view(), result));
+      }
+    }
+    present.result().ifPresent(result -> latest.put(result.view(), result));
+    return latest;
   }
 
   /** Says of which state the points were saved. */
@@ -72,6 +108,13 @@ public final class History {
     savedWishes = document.wishes();
   }
 
+  /** Says of which state everything was saved: points, wishes and result. */
+  public void markWholeSaved(Document document) {
+    markSaved(document);
+    markWishesSaved(document);
+    savedResult = document.result();
+  }
+
   /** Whether the points differ from the saved ones. */
   public boolean isChanged() {
     return !present.points().equals(saved);
@@ -80,5 +123,11 @@ public final class History {
   /** Whether there are wishes that would be lost with the document. */
   public boolean hasUnsavedWishes() {
     return !present.wishes().isAll(Wish.EVEN) && !present.wishes().equals(savedWishes);
+  }
+
+  /** Whether there are flips or an optimum that would be lost with the document. */
+  public boolean hasUnsavedResult() {
+    return present.result().filter(Result::isWorthKeeping).isPresent()
+        && !present.result().equals(savedResult);
   }
 }

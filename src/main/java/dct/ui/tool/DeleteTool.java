@@ -12,6 +12,11 @@ public final class DeleteTool extends VertexTool {
   }
 
   @Override
+  public String description() {
+    return "A click removes a vertex";
+  }
+
+  @Override
   public int key() {
     return KeyEvent.VK_X;
   }

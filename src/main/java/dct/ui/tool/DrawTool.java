@@ -21,6 +21,11 @@ public final class DrawTool implements Tool {
   }
 
   @Override
+  public String description() {
+    return "A click adds a vertex";
+  }
+
+  @Override
   public int key() {
     return KeyEvent.VK_D;
   }

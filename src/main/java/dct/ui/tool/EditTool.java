@@ -20,6 +20,11 @@ public final class EditTool implements Tool {
   }
 
   @Override
+  public String description() {
+    return "A drag moves a vertex";
+  }
+
+  @Override
   public int key() {
     return KeyEvent.VK_E;
   }

@@ -23,6 +23,11 @@ public final class SplitTool implements Tool {
   }
 
   @Override
+  public String description() {
+    return "A click splits the closest edge by a new vertex";
+  }
+
+  @Override
   public int key() {
     return KeyEvent.VK_S;
   }

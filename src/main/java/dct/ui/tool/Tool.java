@@ -5,13 +5,16 @@ import java.awt.Cursor;
 import java.awt.event.KeyEvent;
 
 /**
- * A mouse mode. Its methods are called with the left button's presses, drags and releases, and with
- * moves without a button.
+ * A mouse mode: its name, key, description, pointer and hint, and what it does. Its methods are
+ * called with the left button's presses, drags and releases, and with moves without a button.
  */
 public interface Tool {
 
   /** What its checkbox is called. */
   String name();
+
+  /** What it does, in a line, for its tooltip and the list of commands. */
+  String description();
 
   /** The key that chooses it, one of {@link KeyEvent}'s. */
   int key();

@@ -16,6 +16,11 @@ public final class WishTool extends VertexTool {
   }
 
   @Override
+  public String description() {
+    return "A click changes the parity wished of a vertex: even, odd, any";
+  }
+
+  @Override
   public int key() {
     return KeyEvent.VK_W;
   }

@@ -7,9 +7,12 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
+import dct.problem.Solution;
 import dct.ui.job.Jobs;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -49,52 +52,92 @@ class EditorTest {
     assertThat(sites.shown().document()).isEqualTo(before);
   }
 
+  private static final double[] SEVEN = {0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9};
+
   @Test
-  void flipsOfAnOlderTriangulationAreNotShown() {
-    load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    Analysis older = flipped();
-    sites.perform(Edit.draw(sites.document(), 20, 20));
-    sites.showInstead(older);
-    assertThat(sites.shown().scene().counts()).hasSize(1);
-    Analysis fresh = flipped();
-    sites.showInstead(fresh);
+  void flipsAreAStepOfTheHistory() {
+    load(SEVEN);
+    Document before = sites.document();
+    Result flips = flipped();
+    assertThat(sites.accept("Perform Flip", before, flips)).isTrue();
+    assertThat(sites.history().undoLabel()).contains("Perform Flip");
+    assertThat(sites.shown().solution()).contains(flips.solution());
     assertThat(sites.shown().scene().counts()).hasSize(2);
-    assertThat(sites.shown().solution()).isEqualTo(fresh.solution());
+    sites.undo();
+    assertThat(sites.document()).isEqualTo(before);
+    assertThat(sites.shown().scene().counts()).hasSize(1);
+    sites.redo();
+    assertThat(sites.shown().solution()).contains(flips.solution());
   }
 
-  private Analysis flipped() {
-    Analysis shown = sites.shown();
-    return shown.with(shown.solution().orElseThrow().flipped(Progress.NONE));
+  @Test
+  void flipsOfOlderSitesAreNotTakenOver() {
+    load(SEVEN);
+    Document older = sites.document();
+    Result flips = flipped();
+    sites.perform(Edit.draw(sites.document(), 20, 20));
+    assertThat(sites.accept("Perform Flip", older, flips)).isFalse();
+    assertThat(sites.shown().scene().counts()).hasSize(1);
+    assertThat(sites.history().undoLabel()).contains("Draw Vertex v7");
+  }
+
+  @Test
+  void anEditDropsTheResultAndUndoBringsItBack() {
+    load(SEVEN);
+    Result flips = flipped();
+    sites.accept("Perform Flip", sites.document(), flips);
+    sites.perform(Edit.move(sites.document(), 3, 12, 9));
+    assertThat(sites.document().result()).isEmpty();
+    assertThat(sites.shown().scene().counts()).hasSize(1);
+    sites.undo();
+    assertThat(sites.shown().solution()).contains(flips.solution());
+    assertThat(sites.shown().scene().counts()).hasSize(2);
+    sites.perform(Edit.result("Delaunay", sites.document(), Optional.empty()));
+    assertThat(sites.shown().scene().counts()).hasSize(1);
+    sites.undo();
+    assertThat(sites.shown().solution()).contains(flips.solution());
+  }
+
+  private Result flipped() {
+    return Result.of(
+        Result.CANVAS,
+        "Perform Flip",
+        sites.shown().solution().orElseThrow().flipped(Progress.NONE));
   }
 
   @Test
   void aNewWishLeavesTheTriangulationThatIsShown() {
-    load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    Analysis flips = flipped();
-    sites.showInstead(flips);
+    load(SEVEN);
+    Result flips = flipped();
+    sites.accept("Perform Flip", sites.document(), flips);
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
     assertThat(sites.shown().document()).isEqualTo(sites.document());
-    assertThat(sites.shown().solution()).isEqualTo(flips.solution());
+    assertThat(triangulation()).isSameAs(flips.solution().triangulation());
     assertThat(sites.shown().scene().counts()).hasSize(1);
     sites.undo();
     assertThat(sites.shown().document().wishes().wish(3)).isEqualTo(Wish.EVEN);
-    assertThat(sites.shown().solution()).isEqualTo(flips.solution());
+    assertThat(sites.shown().solution()).contains(flips.solution());
+  }
+
+  private Triangulation triangulation() {
+    return sites.shown().solution().orElseThrow().triangulation();
   }
 
   @Test
-  void anOptimumForOtherWishesOrSitesIsNotShown() {
-    load(0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9);
-    Analysis searched = sites.shown();
-    Analysis best =
-        searched.with(
-            searched.solution().orElseThrow().optimized(SearchLimits.DEFAULT, Progress.NONE));
+  void anOptimumForOtherWishesIsNotTakenOver() {
+    load(SEVEN);
+    Document searched = sites.document();
+    Solution best =
+        sites.shown().solution().orElseThrow().optimized(SearchLimits.DEFAULT, Progress.NONE);
+    Result result = Result.of(Result.CANVAS, "Most Even Vertices", best);
     sites.perform(Edit.wish(sites.document(), 3, Wish.ODD));
-    sites.showInstead(best);
+    assertThat(sites.accept("Most Even Vertices", searched, result)).isFalse();
     assertThat(sites.shown().scene().counts().get(0)).doesNotContain("—");
     sites.undo();
-    sites.showInstead(best);
+    assertThat(sites.accept("Most Even Vertices", searched, result)).isTrue();
     assertThat(sites.shown().scene().counts().get(0)).contains("—");
-    assertThat(sites.shown().solution()).isEqualTo(best.solution());
+    assertThat(sites.shown().solution()).contains(best);
+    assertThat(sites.history().hasUnsavedResult()).isTrue();
   }
 
   @Test

@@ -1,0 +1,32 @@
+package dct.ui;
+
+import dct.core.triangulate.Domain;
+import dct.ui.command.CommandRegistry;
+import java.awt.Component;
+
+/** The commands that put something random on the canvas. */
+final class RandomCommands {
+
+  private RandomCommands() {}
+
+  /**
+   * Offers the commands for the documents of the workbench.
+   *
+   * @param shown is run when something else was put on the canvas
+   */
+  static void offer(
+      CommandRegistry commands, Component parent, Workbench workbench, Runnable shown) {
+    RandomSitesWork sites = new RandomSitesWork(parent, workbench, shown);
+    RandomPolygon polygons = new RandomPolygon(parent, workbench, shown);
+    commands
+        .add("Random Sites", "shift R", "Puts n random sites on the canvas", sites::random)
+        .enabledWhen(() -> workbench.isChosen(Domain.SITES));
+    commands
+        .add(
+            "Random Polygon…",
+            "ctrl R",
+            "Puts a random polygon of a shape to choose on the canvas",
+            polygons::ask)
+        .enabledWhen(() -> workbench.isChosen(Domain.POLYGON));
+  }
+}

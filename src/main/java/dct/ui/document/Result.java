@@ -1,0 +1,37 @@
+package dct.ui.document;
+
+import dct.core.degree.ParityGoal;
+import dct.problem.Solution;
+import dct.render.Scene;
+
+/**
+ * What a named step made of the points of a document; immutable.
+ *
+ * @param view the number of the view that shows it; a later result of the same view takes its place
+ * @param title what was done, for a person to read
+ * @param solution the triangulation and what is known of it
+ * @param scene the picture of the solution
+ */
+public record Result(int view, String title, Solution solution, Scene scene) {
+
+  /** The view in which sites are drawn: results of theirs are shown there. */
+  public static final int CANVAS = 0;
+
+  /** The view of a polygon's result that came with its file. */
+  public static final int OPENED = 1;
+
+  /** A result with its picture, made in linear time. */
+  public static Result of(int view, String title, Solution solution) {
+    return new Result(view, title, solution, Scene.of(solution));
+  }
+
+  /** The same triangulation, of vertices with other wishes; nothing is known of how good it is. */
+  public Result wishing(ParityGoal wishes) {
+    return new Result(view, title, solution.wishing(wishes), scene.withoutVerdict());
+  }
+
+  /** Whether it cannot be made again at once: it has flips or was searched for. */
+  public boolean isWorthKeeping() {
+    return solution.flips().isPresent() || solution.optimum().isPresent();
+  }
+}
