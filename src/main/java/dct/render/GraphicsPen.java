@@ -10,6 +10,7 @@ import java.awt.font.TextLayout;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.EnumMap;
 import java.util.Map;
@@ -69,6 +70,17 @@ public final class GraphicsPen implements Pen {
   public void rectangle(double x, double y, double width, double height) {
     rectangle.setFrame(x, y, width, height);
     graphics.fill(rectangle);
+  }
+
+  @Override
+  public void polygon(double[] x, double[] y) {
+    Path2D.Double path = new Path2D.Double(Path2D.WIND_EVEN_ODD, x.length + 1);
+    path.moveTo(x[0], y[0]);
+    for (int i = 1; i < x.length; i++) {
+      path.lineTo(x[i], y[i]);
+    }
+    path.closePath();
+    graphics.fill(path);
   }
 
   @Override

@@ -9,6 +9,8 @@ package dct.render;
 public enum Ink {
   /** The ground that everything is drawn on. */
   BACKGROUND(0xFFFFFF, 0x1E1F22),
+  /** The inside of a polygon: a ground that differs little from the other. */
+  INSIDE(0xEDF2F9, 0x2A2D33),
   /** Vertices of even degree: red. */
   EVEN(0xE00A14, 0xFF5A5F),
   /** Vertices of odd degree: blue. */

@@ -82,6 +82,15 @@ public final class IpePen implements Pen {
   }
 
   @Override
+  public void polygon(double[] x, double[] y) {
+    out.append("<path fill=\"").append(colour()).append("\" fillrule=\"eofill\">\n");
+    for (int i = 0; i < x.length; i++) {
+      out.append(point(x[i], y[i])).append(i == 0 ? " m\n" : " l\n");
+    }
+    out.append("h\n</path>\n");
+  }
+
+  @Override
   public void text(double x, double y, Anchor anchor, double size, String text) {
     String side =
         switch (anchor) {

@@ -33,6 +33,14 @@ public interface Pen {
     rectangle(x - halfSide, y - halfSide, 2 * halfSide, 2 * halfSide);
   }
 
+  /**
+   * A filled polygon; where its boundary crosses itself, what lies inside an odd number of times.
+   *
+   * @param x the coordinates of its corners, in order
+   * @param y as many
+   */
+  void polygon(double[] x, double[] y);
+
   /** The outline of a circle. */
   void ring(double x, double y, double radius);
 

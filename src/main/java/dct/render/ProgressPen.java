@@ -45,6 +45,11 @@ final class ProgressPen implements Pen {
   }
 
   @Override
+  public void polygon(double[] x, double[] y) {
+    next().polygon(x, y);
+  }
+
+  @Override
   public void ring(double x, double y, double radius) {
     next().ring(x, y, radius);
   }

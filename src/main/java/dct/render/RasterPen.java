@@ -194,6 +194,38 @@ final class RasterPen implements Pen {
     }
   }
 
+  /**
+   * Its rim is not smoothed: its boundary is drawn over it. Each edge changes, in the rows that it
+   * crosses, what the pixels to its right belong to.
+   */
+  @Override
+  public void polygon(double[] x, double[] y) {
+    boolean[] changes = new boolean[width * (bottom - top)];
+    for (int i = 0, last = x.length - 1; i < x.length; last = i, i++) {
+      change(changes, device(x[last]), device(y[last]), device(x[i]), device(y[i]));
+    }
+    for (int row = 0; row < bottom - top; row++) {
+      boolean inside = false;
+      for (int k = row * width; k < (row + 1) * width; k++) {
+        inside ^= changes[k];
+        if (inside) {
+          pixels[top * width + k] = rgb;
+        }
+      }
+    }
+  }
+
+  private void change(boolean[] changes, double x1, double y1, double x2, double y2) {
+    double slope = (x2 - x1) / (y2 - y1);
+    double end = Math.min(bottom, Math.max(y1, y2));
+    for (int j = (int) Math.ceil(Math.max(top, Math.min(y1, y2))); j < end; j++) {
+      int column = (int) Math.ceil(Math.max(0, x1 + slope * (j - y1)));
+      if (column < width) {
+        changes[(j - top) * width + column] ^= true;
+      }
+    }
+  }
+
   /** The first pixel of a range that reaches beyond this place. */
   private static int first(double value, int low, int high) {
     return (int) Math.max(low, Math.min(high, Math.floor(value + 0.5)));

@@ -8,6 +8,7 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
@@ -40,6 +41,7 @@ public final class Scene {
   private static final Stroke DEFECT = Stroke.solid(Ink.DEFECT, 3);
 
   private final Points points;
+  private final boolean polygon; // whether the points, in order, are the corners of one
   private final List<EdgeLayer> layers;
   private final int[] degrees; // by vertex; null while nothing is triangulated
   private final List<String> counts;
@@ -53,11 +55,13 @@ public final class Scene {
   /** A scene in which nothing is said of wishes. */
   private Scene(
       Points points,
+      boolean polygon,
       List<EdgeLayer> layers,
       int[] degrees,
       List<String> counts,
       List<Defect> defects) {
     this.points = points;
+    this.polygon = polygon;
     this.layers = List.copyOf(layers);
     this.degrees = degrees;
     this.counts = List.copyOf(counts);
@@ -72,6 +76,7 @@ public final class Scene {
   /** The same with other marks at the vertices. */
   private Scene(Scene scene, List<String> counts, int[] unmet, Labels labels, ParityGoal wishes) {
     this.points = scene.points;
+    this.polygon = scene.polygon;
     this.layers = scene.layers;
     this.degrees = scene.degrees;
     this.counts = List.copyOf(counts);
@@ -139,12 +144,17 @@ public final class Scene {
 
   private static Scene of(Triangulation triangulation, List<String> counts) {
     return new Scene(
-        triangulation.points(), layers(triangulation), degrees(triangulation), counts, List.of());
+        triangulation.points(),
+        triangulation.domain() == Domain.POLYGON,
+        layers(triangulation),
+        degrees(triangulation),
+        counts,
+        List.of());
   }
 
   /** Points that nothing connects yet. */
   public static Scene sites(Points points) {
-    return new Scene(points, List.of(), null, List.of(), List.of());
+    return new Scene(points, false, List.of(), null, List.of(), List.of());
   }
 
   /**
@@ -164,7 +174,7 @@ public final class Scene {
       chain.add(v - 1, v);
     }
     List<EdgeLayer> layers = List.of(closing, chain, defectLayer(defects));
-    return new Scene(points, layers, null, List.of(), defects);
+    return new Scene(points, true, layers, null, List.of(), defects);
   }
 
   /** This scene with other labels. */
@@ -198,6 +208,11 @@ public final class Scene {
   /** The vertices. */
   public Points points() {
     return points;
+  }
+
+  /** Whether the points, in their order, are the corners of a polygon. */
+  public boolean isPolygon() {
+    return polygon;
   }
 
   /** The box round all vertices, or nothing if there are none. */

@@ -53,11 +53,12 @@ public final class ScenePainter {
   }
 
   /**
-   * Draws the edges, the vertices and their rings. Parts of a screen that are drawn one by one make
-   * the same picture as the whole.
+   * Draws the inside of a polygon, the edges, the vertices and their rings. Parts of a screen that
+   * are drawn one by one make the same picture as the whole.
    */
   static void paintShapes(Scene scene, Viewport view, Box part, Pen pen) {
     ScenePainter painter = new ScenePainter(scene, view, part, pen);
+    painter.inside();
     painter.edges();
     painter.vertices();
     painter.unmet();
@@ -103,6 +104,16 @@ public final class ScenePainter {
               return Math.max(SMALLEST_DOT, Math.min(LARGEST_DOT, room / 5));
             })
         .orElse(LARGEST_DOT);
+  }
+
+  private void inside() {
+    if (scene.isPolygon()) {
+      Corners corners = Corners.of(scene.points(), view, clip);
+      if (!corners.isEmpty()) {
+        pen.style(Stroke.fill(Ink.INSIDE));
+        pen.polygon(corners.xs(), corners.ys());
+      }
+    }
   }
 
   private void edges() {

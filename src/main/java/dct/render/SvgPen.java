@@ -91,6 +91,18 @@ public final class SvgPen implements Pen {
   }
 
   @Override
+  public void polygon(double[] x, double[] y) {
+    out.append("<polygon points=\"");
+    for (int i = 0; i < x.length; i++) {
+      out.append(i == 0 ? "" : " ");
+      number(x[i]);
+      out.append(',');
+      number(y[i]);
+    }
+    out.append("\" fill-rule=\"evenodd\" stroke=\"none\"/>\n");
+  }
+
+  @Override
   public void text(double x, double y, Anchor anchor, double size, String text) {
     out.append("<text x=\"");
     number(x);

@@ -81,6 +81,16 @@ public final class TikzPen implements Pen {
   }
 
   @Override
+  public void polygon(double[] x, double[] y) {
+    body.append("\\fill[").append(name(stroke.ink())).append(", even odd rule] ");
+    for (int i = 0; i < x.length; i++) {
+      // A corner a line, so that no line is longer than TeX reads at once.
+      body.append(point(x[i], y[i])).append("\n -- ");
+    }
+    body.append("cycle;\n");
+  }
+
+  @Override
   public void text(double x, double y, Anchor anchor, double size, String text) {
     String side =
         switch (anchor) {

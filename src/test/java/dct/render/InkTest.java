@@ -2,6 +2,8 @@ package dct.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.EnumSet;
+import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -11,15 +13,18 @@ class InkTest {
 
   private static final double TEXT = 4.5;
 
+  private static final Set<Ink> GROUNDS = EnumSet.of(Ink.BACKGROUND, Ink.INSIDE);
+
   @ParameterizedTest
   @EnumSource(Theme.class)
-  void everyInkStandsOutFromTheGround(Theme theme) {
+  void everyInkStandsOutFromBothGrounds(Theme theme) {
     for (Ink ink : Ink.values()) {
-      if (ink != Ink.BACKGROUND) {
-        double wanted = ink == Ink.LABEL ? TEXT : SHAPES;
-        assertThat(contrast(ink.rgb(theme), Ink.BACKGROUND.rgb(theme)))
-            .as("%s, %s", ink, theme)
-            .isGreaterThanOrEqualTo(wanted);
+      if (!GROUNDS.contains(ink)) {
+        for (Ink ground : GROUNDS) {
+          assertThat(contrast(ink.rgb(theme), ground.rgb(theme)))
+              .as("%s on %s, %s", ink, ground, theme)
+              .isGreaterThanOrEqualTo(ink == Ink.LABEL ? TEXT : SHAPES);
+        }
       }
     }
   }

@@ -36,6 +36,7 @@ class PictureFileTest {
     requireInk(image, view, Ink.EVEN, 100, 100);
     requireInk(image, view, Ink.FLIPPED, 200, 200);
     requireInk(image, view, Ink.PARTITION, 250, 250);
+    requireInk(image, view, Ink.INSIDE, 300, 200);
     assertThat(image.getRGB(2, 2) & 0xFFFFFF).isEqualTo(0xFFFFFF);
   }
 
@@ -56,6 +57,7 @@ class PictureFileTest {
     assertThat(svg.getElementsByTagName("line").getLength()).isEqualTo(7);
     int discs = svg.getElementsByTagName("circle").getLength();
     int squares = svg.getElementsByTagName("rect").getLength() - 2; // without grounds
+    assertThat(svg.getElementsByTagName("polygon").getLength()).isEqualTo(1);
     assertThat(discs).isEqualTo(3);
     assertThat(squares).isEqualTo(2);
     assertThat(svg.getElementsByTagName("text").item(1).getTextContent())
@@ -79,7 +81,7 @@ class PictureFileTest {
   void ipeIsValidAndTurnsUpsideDown() throws Exception {
     Document ipe = parse(picture().ipe());
     NodeList paths = ipe.getElementsByTagName("path");
-    assertThat(paths.getLength()).isEqualTo(7 + 5 + 1); // edges, vertices, ground of the counts
+    assertThat(paths.getLength()).isEqualTo(1 + 7 + 5 + 1); // inside, edges, vertices, counts
     NodeList texts = ipe.getElementsByTagName("text");
     assertThat(texts.item(1).getTextContent()).isEqualTo("After: Even 3 $\\cdot$ Odd 2");
     String[] place = ((Element) texts.item(0)).getAttribute("pos").split(" ", -1);
@@ -89,7 +91,8 @@ class PictureFileTest {
   @Test
   void tikzDrawsEveryEdgeAndVertexInNamedColours() {
     String tex = picture().tex();
-    assertThat(tex.lines().filter(line -> line.contains(" -- "))).hasSize(7);
+    assertThat(tex.lines().filter(line -> line.startsWith("\\draw"))).hasSize(7);
+    assertThat(tex).contains("\\fill[inside, even odd rule] (").contains("\n -- cycle;\n");
     assertThat(tex.lines().filter(line -> line.startsWith("\\fill[even]"))).hasSize(3);
     assertThat(tex.lines().filter(line -> line.startsWith("\\fill[odd]"))).hasSize(2);
     assertThat(tex).contains("\\definecolor{flipped}{HTML}{").contains("Even 3 $\\cdot$ Odd 2");

@@ -1,6 +1,7 @@
 package dct.render;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Remembers what was drawn. */
@@ -37,6 +38,12 @@ final class RecordingPen implements Pen {
   @Override
   public void rectangle(double x, double y, double width, double height) {
     shapes.add(new Shape("rectangle", ink, x, y, ""));
+  }
+
+  @Override
+  public void polygon(double[] x, double[] y) {
+    shapes.add(
+        new Shape("polygon", ink, x[0], y[0], Arrays.toString(x) + " " + Arrays.toString(y)));
   }
 
   @Override

@@ -28,6 +28,22 @@ class ScenePainterTest {
   }
 
   @Test
+  void theInsideOfAPolygonIsFilledFirst() {
+    for (Scene scene :
+        List.of(
+            Scene.of(Fixtures.pentagon()),
+            Scene.polygon(Fixtures.PENTAGON, true, List.of()),
+            Scene.polygon(Fixtures.PENTAGON, false, List.of()))) {
+      Shape first = painted(scene).shapes.get(0);
+      assertThat(first.kind()).isEqualTo("polygon");
+      assertThat(first.ink()).isEqualTo(Ink.INSIDE);
+      assertThat(first.text())
+          .isEqualTo("[100.0, 300.0, 400.0, 300.0, 100.0] [100.0, 100.0, 200.0, 300.0, 300.0]");
+    }
+    assertThat(painted(Scene.sites(Fixtures.PENTAGON)).count("polygon", Ink.INSIDE)).isZero();
+  }
+
+  @Test
   void evenVerticesAreRedDiscsAndOddOnesBlueSquares() {
     // Degrees of v0 … v4: 3, 2, 4, 2, 3.
     RecordingPen pen = painted(Scene.of(Fixtures.pentagon()));

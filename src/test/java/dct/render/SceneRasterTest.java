@@ -10,6 +10,7 @@ import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,7 +27,12 @@ class SceneRasterTest {
   @ParameterizedTest
   @ValueSource(doubles = {1, 1.5, 2})
   void thePartsOfAPictureMakeTheWhole(double scale) {
-    Scene scene = Scene.of(delaunay(3000));
+    requirePartsMakeTheWhole(Scene.of(delaunay(3000)), scale);
+    Points tangled = RandomSites.uniform(3000, 4);
+    requirePartsMakeTheWhole(Scene.polygon(tangled, false, List.of()), scale);
+  }
+
+  private static void requirePartsMakeTheWhole(Scene scene, double scale) {
     Viewport view = ScenePainter.fitted(scene, WIDTH / scale, HEIGHT / scale, false);
     BufferedImage parts = image();
     SceneRaster.draw(scene, view, Theme.LIGHT, scale, parts, Progress.NONE);
