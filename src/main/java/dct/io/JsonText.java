@@ -5,9 +5,11 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
 import dct.core.Decimals;
+import dct.core.degree.Flip;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.problem.verify.ClaimedEdges;
+import dct.problem.verify.ClaimedFlips;
 import dct.problem.verify.Claims;
 import java.io.BufferedReader;
 import java.io.EOFException;
@@ -30,6 +32,8 @@ final class JsonText {
   private static final String EDGE_FORM =
       "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\" as the third";
   private static final String EDGE_WRONG = "an edge is not of the known form%s; " + EDGE_FORM;
+  private static final String FLIP_FORM = "write [u, v, x, y] where the edge u v became x y";
+  private static final String FLIP_WRONG = "a flip is not four vertex numbers%s; " + FLIP_FORM;
 
   private static final String FOLLOWED = "something follows the JSON object; remove it";
 
@@ -39,6 +43,7 @@ final class JsonText {
   private final Map<String, Object> values = new HashMap<>();
   private PointColumns points;
   private ClaimedEdges edges;
+  private ClaimedFlips flips;
   private boolean ended; // the object is closed
 
   private JsonText(String name, InputStream in) {
@@ -95,18 +100,20 @@ final class JsonText {
       throw fault(
           ForeignText.json(values.keySet()).orElse("there is no field \"points\"") + "; " + FORM);
     }
-    return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges);
+    return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges, flips);
   }
 
   private void field(String field) throws IOException {
     if (values.containsKey(field)
         || (field.equals("points") && points != null)
-        || (field.equals("edgeList") && edges != null)) {
+        || (field.equals("edgeList") && edges != null)
+        || (field.equals("flipList") && flips != null)) {
       throw fault("the field \"" + field + "\" is there twice; remove one");
     }
     switch (field) {
       case "points" -> readPoints();
       case "edgeList" -> readEdges();
+      case "flipList" -> readFlips();
       case "kind" -> readKind();
       default -> readValue(field);
     }
@@ -170,8 +177,8 @@ final class JsonText {
       require(JsonToken.BEGIN_ARRAY, EDGE_WRONG);
       json.beginArray();
       int line = lines.line();
-      int u = vertex();
-      int v = vertex();
+      int u = vertex(EDGE_WRONG);
+      int v = vertex(EDGE_WRONG);
       require(JsonToken.STRING, EDGE_WRONG);
       edges.add(u, v, edgeKind(json.nextString()), line);
       require(JsonToken.END_ARRAY, EDGE_WRONG);
@@ -180,11 +187,29 @@ final class JsonText {
     json.endArray();
   }
 
-  private int vertex() throws IOException {
-    require(JsonToken.NUMBER, EDGE_WRONG);
+  private void readFlips() throws IOException {
+    flips = new ClaimedFlips();
+    require(JsonToken.BEGIN_ARRAY, "\"flipList\" is not a list; " + FLIP_FORM);
+    json.beginArray();
+    while (json.hasNext()) {
+      require(JsonToken.BEGIN_ARRAY, FLIP_WRONG);
+      json.beginArray();
+      int line = lines.line();
+      int u = vertex(FLIP_WRONG);
+      int v = vertex(FLIP_WRONG);
+      int x = vertex(FLIP_WRONG);
+      flips.add(new Flip(u, v, x, vertex(FLIP_WRONG)), line);
+      require(JsonToken.END_ARRAY, FLIP_WRONG);
+      json.endArray();
+    }
+    json.endArray();
+  }
+
+  private int vertex(String wrong) throws IOException {
+    require(JsonToken.NUMBER, wrong);
     double value = number();
     if (value != (int) value) {
-      throw fault(EDGE_WRONG);
+      throw fault(wrong);
     }
     return (int) value;
   }

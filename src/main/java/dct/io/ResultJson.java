@@ -5,6 +5,8 @@ import com.google.gson.stream.JsonWriter;
 import dct.core.Decimals;
 import dct.core.Progress;
 import dct.core.degree.DegreeCount;
+import dct.core.degree.Flip;
+import dct.core.degree.FlipList;
 import dct.core.degree.Optimum;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
@@ -13,6 +15,8 @@ import dct.problem.Solution;
 import dct.problem.verify.Claims;
 import dct.problem.verify.WishLetters;
 import java.io.BufferedWriter;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -25,10 +29,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Results as JSON: the summary alone, or with all points and edges.
+ * Results as JSON: the summary alone, or with all points, edges and flips.
  *
- * <p>The names and the order of the fields are a contract with the scripts that read them. The list
- * of points has a point a line, the list of edges an edge a line.
+ * <p>The names and the order of the fields are a contract with the scripts that read them. The
+ * lists have a point, an edge, a flip a line.
  */
 public final class ResultJson {
   static final String FORMAT = "dct-result/1";
@@ -89,6 +93,9 @@ public final class ResultJson {
           json.searchFields(solution);
           json.points(solution.instance().points());
           json.edges(solution.triangulation());
+          if (solution.flips().isPresent()) {
+            json.flips(FlipList.of(solution.flips().get()));
+          }
         });
   }
 
@@ -133,6 +140,20 @@ public final class ResultJson {
     return JsonText.read(name, in);
   }
 
+  /**
+   * What the file of a solution would claim: it is written and read back in memory, so that {@link
+   * dct.problem.verify.Verifier} sees of it what it would see of the file.
+   */
+  public static Claims claims(Solution solution) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try {
+      write(out, solution, Optional.empty());
+      return read(solution.instance().name(), new ByteArrayInputStream(out.toByteArray()));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   private static void write(OutputStream out, Fields fields) throws IOException {
     Writer writer =
         new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8), 1 << 16);
@@ -154,7 +175,7 @@ public final class ResultJson {
     json.name("input").value(solution.instance().name());
     json.name("kind").value(solution.instance().domain().word());
     json.name("algorithm").value(solution.method().word());
-    json.name("post").value(post(solution));
+    json.name("post").value(solution.post().word());
     json.name("vertices").value(triangulation.vertexCount());
     json.name("edges").value(triangulation.edgeCount());
     json.name("triangles").value(triangulation.triangleCount());
@@ -173,13 +194,6 @@ public final class ResultJson {
     if (millis.isPresent()) {
       millis(millis.get());
     }
-  }
-
-  private static String post(Solution solution) {
-    if (solution.optimum().isPresent()) {
-      return "optimize";
-    }
-    return solution.flips().isPresent() ? "flip" : "none";
   }
 
   private void optimumFields(Solution solution) throws IOException {
@@ -256,6 +270,17 @@ public final class ResultJson {
       text.append(triangulation.to(edge)).append(", \"");
       text.append(triangulation.kind(edge).word()).append("\"]");
       json.jsonValue(text.toString());
+    }
+    endLines();
+  }
+
+  private void flips(FlipList list) throws IOException {
+    beginLines("flipList");
+    for (Flip flip : list.flips()) {
+      text.setLength(0);
+      text.append("\n[").append(flip.u()).append(", ").append(flip.v()).append(", ");
+      text.append(flip.x()).append(", ").append(flip.y());
+      json.jsonValue(text.append(']').toString());
     }
     endLines();
   }

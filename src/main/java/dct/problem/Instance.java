@@ -1,11 +1,14 @@
 package dct.problem;
 
 import dct.core.Progress;
+import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.degree.best.BoundCheck;
+import dct.core.degree.bound.PolygonBounds;
+import dct.core.degree.bound.SiteBounds;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
@@ -90,6 +93,13 @@ public sealed interface Instance {
    */
   Optimum best(Triangulation start, SearchLimits limits, Progress progress);
 
+  /**
+   * The best bound on the wishes that no triangulation grants which takes linear time.
+   *
+   * @param any any triangulation of this instance
+   */
+  LowerBound quickBound(Triangulation any);
+
   /** What can be said of the claim that no triangulation leaves fewer wishes open than this. */
   BoundCheck check(int claimed, Progress progress);
 
@@ -146,6 +156,11 @@ public sealed interface Instance {
     }
 
     @Override
+    public LowerBound quickBound(Triangulation any) {
+      return PolygonBounds.of(size(), wishes);
+    }
+
+    @Override
     public BoundCheck check(int claimed, Progress progress) {
       return BoundCheck.of(polygon, wishes, claimed, progress);
     }
@@ -186,6 +201,11 @@ public sealed interface Instance {
     @Override
     public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
       return BestTriangulation.of(start, wishes, limits, progress);
+    }
+
+    @Override
+    public LowerBound quickBound(Triangulation any) {
+      return SiteBounds.quick(any, wishes, Progress.NONE);
     }
 
     @Override

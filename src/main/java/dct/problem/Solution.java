@@ -20,9 +20,10 @@ import java.util.Optional;
  * @param instance what was triangulated
  * @param method the method that made the first triangulation
  * @param triangulation the final triangulation
- * @param flips the triangulations before and after Scan-Flip, if it was run
- * @param optimum what the optimizer found for the instance's wishes, if it was asked; a solution
- *     has flips or an optimum or neither, and their triangulation is the final one
+ * @param flips the triangulations before and after the flips of Scan-Flip or by hand, if there were
+ *     any asked for; the one after them is the final one
+ * @param optimum what is known of the final triangulation and the instance's wishes, if the
+ *     optimizer was asked; where flips came after it, the bound is still that of the optimizer
  * @param limits what the optimizer was given; the default if it was not asked
  */
 public record Solution(
@@ -63,15 +64,56 @@ public record Solution(
     return flipped(ScanFlip.run(triangulation, progress));
   }
 
-  /** The same after these flips. */
-  public Solution flipped(FlipResult result) {
-    return new Solution(
-        instance, method, result.after(), Optional.of(result), Optional.empty(), limits);
+  /**
+   * The same after one more flip, by hand, in linear time. What an optimizer proved is kept: its
+   * bound holds for every triangulation. An optimum is one no longer, unless the bound is attained
+   * again.
+   *
+   * @param edge the number of an edge of the final triangulation
+   * @throws IllegalArgumentException if it cannot be flipped; see {@link
+   *     dct.core.degree.Flip#obstacle}
+   */
+  public Solution flippedAt(int edge) {
+    return flipped(FlipResult.of(triangulation, edge));
   }
 
-  /** The same triangulation, of the same instance with other wishes. */
+  /**
+   * The same after these flips, which come after those that there were.
+   *
+   * @param result flips that begin at the final triangulation
+   */
+  public Solution flipped(FlipResult result) {
+    FlipResult all =
+        flips
+            .filter(earlier -> earlier.after() == result.before())
+            .map(earlier -> earlier.then(result))
+            .orElse(result);
+    return withFlips(all);
+  }
+
+  /**
+   * The same with other flips in place of those that there were: a part of them, or more.
+   *
+   * @param result flips that begin where those that there were begin
+   */
+  public Solution withFlips(FlipResult result) {
+    Optional<Optimum> known = optimum.map(best -> best.of(result.after()));
+    return new Solution(instance, method, result.after(), Optional.of(result), known, limits);
+  }
+
+  /**
+   * The same triangulation, of the same instance with other wishes. What an optimizer proved for
+   * the old ones is lost; the bound of the new ones is that which takes linear time.
+   */
   public Solution wishing(ParityGoal wishes) {
-    return of(instance.with(wishes), method, triangulation);
+    Instance wished = instance.with(wishes);
+    Optional<Optimum> known =
+        optimum.map(
+            best ->
+                best.goal().equals(wishes)
+                    ? best
+                    : Optimum.of(triangulation, wishes, wished.quickBound(triangulation)));
+    return new Solution(wished, method, triangulation, flips, known, limits);
   }
 
   /** The triangulation that grants the most of the instance's wishes, or the best found. */
@@ -89,6 +131,27 @@ public record Solution(
     return new Solution(instance, method, plain, Optional.empty(), Optional.of(found), given);
   }
 
+  /** What came after the method. */
+  public Post post() {
+    return Post.of(optimum.isPresent(), flips.isPresent());
+  }
+
+  /**
+   * What is known of how good it is, in a clause for a person: {@code optimal (12 hull sites, 12 ≡
+   * 0 mod 3)}.
+   */
+  public String verdict() {
+    LowerBound bound = bound();
+    if (isProven()) {
+      return "optimal (" + bound.reason() + ")";
+    }
+    if (optimum.isPresent() && flips.isEmpty()) {
+      return optimum.get().verdict();
+    }
+    String known = bound.value() == 0 ? "none" : bound.value() + " or more";
+    return known + " cannot be avoided (" + bound.reason() + ")";
+  }
+
   /** The even and the odd vertices. */
   public DegreeCount counts() {
     return DegreeCount.of(triangulation);
@@ -102,6 +165,19 @@ public record Solution(
   /** What the optimizer found for wishes other than all even. */
   public Optional<Optimum> wished() {
     return optimum.filter(best -> !best.goal().isAll(Wish.EVEN));
+  }
+
+  /**
+   * What is counted against the bound: vertices whose wish is not granted, if the optimizer was
+   * asked, or else odd ones.
+   */
+  public int unmet() {
+    return optimum.map(Optimum::unmet).orElseGet(() -> counts().odd());
+  }
+
+  /** A number that {@link #unmet} of no triangulation of the instance goes below. */
+  public LowerBound bound() {
+    return optimum.map(Optimum::bound).orElseGet(this::oddBound);
   }
 
   /**
@@ -121,6 +197,6 @@ public record Solution(
    * where the optimizer was asked for other parities, to leave the fewest wishes open.
    */
   public boolean isProven() {
-    return wished().map(Optimum::isProven).orElseGet(() -> counts().odd() == oddBound().value());
+    return unmet() == bound().value();
   }
 }

@@ -45,12 +45,15 @@ class JsonFieldsTest {
   void the_page_describes_what_is_printed() throws IOException {
     Path wishes = Files.writeString(folder.resolve("wishes.txt"), "0 odd\n1 any\n");
     Path result = folder.resolve("result.json");
+    Path flips = folder.resolve("flips.json");
     Set<String> printed = new TreeSet<>();
     collect(printed, CliRun.withInput(SQUARE, "triangulate", "-", "--json", "--flip"));
     collect(
         printed,
         CliRun.withInput(SQUARE, "triangulate", "-", "--json", "--optimize", wishes, "-o", result));
     printed.addAll(json(Files.readString(result)).keySet());
+    CliRun.withInput(SQUARE, "triangulate", "-", "--flip", "-o", flips).done();
+    printed.addAll(json(Files.readString(flips)).keySet());
     collect(printed, CliRun.withInput(SQUARE, "check", "-", "--json"));
     collect(printed, CliRun.withInput(BOW_TIE, "check", "-", "--json"));
     collect(printed, CliRun.of("verify", result, "--json"));

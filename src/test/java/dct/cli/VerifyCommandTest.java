@@ -226,7 +226,7 @@ class VerifyCommandTest {
             POLYGON,
             none,
             j -> j.addProperty("post", "prayer"),
-            "the field \"post\" is none of \"none\", \"flip\", \"optimize\""),
+            "the field \"post\" is none of \"none\", \"flip\", \"optimize\", \"optimize\\+flip\""),
         lie(
             "merged vertices of a polygon",
             POLYGON,
@@ -370,13 +370,37 @@ class VerifyCommandTest {
             sites,
             flip,
             j -> rename(j, "diagonal", "flipped"),
+            "edge v\\d+–v\\d+ did not come from a flip"),
+        lie(
+            "a flip that was none, without a list",
+            sites,
+            flip,
+            j -> {
+              j.remove("flipList");
+              rename(j, "diagonal", "flipped");
+            },
             "(edge v\\d+–v\\d+ cannot have come from a flip|the field \"flips\" says .*)"),
         lie(
             "a flip kept secret",
             sites,
             flip,
             j -> rename(j, "flipped", "diagonal"),
+            "edge v\\d+–v\\d+ came from a flip"),
+        lie(
+            "a flip kept secret, without a list",
+            sites,
+            flip,
+            j -> {
+              j.remove("flipList");
+              rename(j, "flipped", "diagonal");
+            },
             "the field \"flips\" says \\d+, but it is \\d+"),
+        lie(
+            "a list of flips that nobody asked for",
+            sites,
+            none,
+            j -> j.add("flipList", new JsonArray()),
+            "the field \"flipList\" is there, and no flips were asked for"),
         lie(
             "the wrong diagonal",
             flatSquare,

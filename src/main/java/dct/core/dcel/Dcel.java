@@ -258,6 +258,24 @@ public final class Dcel {
     return prev[e] ^ 1;
   }
 
+  /**
+   * The half-edge from u to v, or {@link #NONE}; in as many steps as the one with fewer edges has.
+   */
+  public int halfEdge(int u, int v) {
+    if (degree[u] > degree[v]) {
+      int back = halfEdge(v, u);
+      return back == NONE ? NONE : back ^ 1;
+    }
+    int e = outEdge[u];
+    for (int k = 0; k < degree[u]; k++) {
+      if (target(e) == v) {
+        return e;
+      }
+      e = rotate(e);
+    }
+    return NONE;
+  }
+
   /** Whether the edge borders the outer face. */
   public boolean isBoundary(int edge) {
     return face[2 * edge] == OUTER || face[2 * edge + 1] == OUTER;

@@ -19,6 +19,16 @@ public record Optimum(
     LowerBound bound,
     boolean interrupted) {
 
+  /** A triangulation with a bound that was proven without a search. */
+  public static Optimum of(Triangulation triangulation, ParityGoal goal, LowerBound bound) {
+    return new Optimum(triangulation, goal, goal.unmet(triangulation), bound, false);
+  }
+
+  /** What the same bound says of another triangulation of the same points. */
+  public Optimum of(Triangulation other) {
+    return new Optimum(other, goal, goal.unmet(other), bound, interrupted);
+  }
+
   /**
    * What is known of how good it is, in a clause for a person: {@code optimal (12 hull sites, 12 ≡
    * 0 mod 3)}.

@@ -3,6 +3,7 @@ package dct.core.triangulate;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.OptionalInt;
 import java.util.function.IntFunction;
 
 /**
@@ -101,6 +102,15 @@ public final class Triangulation {
   /** The other end of an edge. */
   public int to(int edge) {
     return dcel.origin(2 * edge + 1);
+  }
+
+  /**
+   * The edge between two vertices, if there is one; in as many steps as the one with fewer edges
+   * has.
+   */
+  public OptionalInt edgeBetween(int u, int v) {
+    int e = dcel.halfEdge(u, v);
+    return e == Dcel.NONE ? OptionalInt.empty() : OptionalInt.of(e >> 1);
   }
 
   /** The number of edges at vertex v. */

@@ -2,10 +2,13 @@ package dct.problem.verify;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.problem.Post;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.Collectors;
 
 /**
  * What a file says of points and perhaps of their triangulation; immutable.
@@ -19,6 +22,7 @@ public final class Claims {
   private final Points points;
   private final int[] pointLines;
   private final ClaimedEdges edges; // null if the file has none
+  private final ClaimedFlips flips; // null if the file has none
 
   /**
    * What stands in a file.
@@ -27,18 +31,21 @@ public final class Claims {
    * @param values strings, doubles and booleans by the names of their fields
    * @param pointLines the line of each point
    * @param edges null if the file has no list of edges
+   * @param flips null if the file has no list of flips
    */
   public Claims(
       String source,
       Map<String, Object> values,
       Points points,
       int[] pointLines,
-      ClaimedEdges edges) {
+      ClaimedEdges edges,
+      ClaimedFlips flips) {
     this.source = source;
     this.values = values;
     this.points = points;
     this.pointLines = pointLines.clone();
     this.edges = edges;
+    this.flips = flips;
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */
@@ -54,6 +61,23 @@ public final class Claims {
   /** The points. */
   public Points points() {
     return points;
+  }
+
+  /**
+   * What is said to have come after the method.
+   *
+   * @throws FalseClaim if that is not said
+   */
+  Post post() {
+    return text("post")
+        .flatMap(Post::parse)
+        .orElseThrow(
+            () ->
+                new FalseClaim(
+                    "the field \"post\" is none of "
+                        + Arrays.stream(Post.values())
+                            .map(post -> '"' + post.word() + '"')
+                            .collect(Collectors.joining(", "))));
   }
 
   /** The line of the file that point i stands on, from 1 on. */
@@ -76,7 +100,17 @@ public final class Claims {
     return edges;
   }
 
-  /** Whether there is a field of this name, other than the points and the edges. */
+  /** Whether the file has a list of flips. */
+  public boolean hasFlips() {
+    return flips != null;
+  }
+
+  /** The flips in order; only if there is a list of them. */
+  public ClaimedFlips flips() {
+    return flips;
+  }
+
+  /** Whether there is a field of this name, other than the lists of points, edges and flips. */
   boolean has(String name) {
     return values.containsKey(name);
   }

@@ -10,10 +10,10 @@ import dct.core.degree.SearchLimits;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
+import dct.problem.Post;
 import dct.problem.Solution;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntFunction;
 
 /**
  * The solution that a result file holds. Its edges are checked to be a triangulation; what the file
@@ -43,20 +43,19 @@ public final class Restoration {
     stored.checkPoints(progress);
     stored.checkTriangulation(progress);
     Instance instance = stored.instance();
-    Triangulation made = triangulation(stored.graph().toDcel(), claims.edges()::kind);
-    Solution plain = Solution.of(instance, stored.method(), made);
-    return switch (claims.text("post").orElse("none")) {
-      case "flip" -> plain.flipped(flips(made));
-      case "optimize" -> optimized(plain);
-      default -> plain;
-    };
+    Post post = claims.text("post").flatMap(Post::parse).orElse(Post.NONE);
+    if (!post.isFlipped()) {
+      Solution plain = Solution.of(instance, stored.method(), stored.triangulation());
+      return post.isOptimized() ? optimized(plain) : plain;
+    }
+    FlipResult flips = claims.hasFlips() ? stored.undoListedFlips().result() : kindFlips();
+    Solution before = Solution.of(instance, stored.method(), flips.before());
+    return (post.isOptimized() ? optimized(before) : before).flipped(flips);
   }
 
-  private Triangulation triangulation(Dcel dcel, IntFunction<EdgeKind> kinds) {
-    return new Triangulation(stored.instance().domain(), stored.instance().points(), dcel, kinds);
-  }
-
-  private FlipResult flips(Triangulation after) {
+  /** The flips that the kinds of the edges tell of. */
+  private FlipResult kindFlips() {
+    Triangulation after = stored.triangulation();
     stored.undoFlips();
     List<Integer> flips = new ArrayList<>();
     Dcel dcel = after.dcel().copy();
@@ -67,7 +66,9 @@ public final class Restoration {
       }
     }
     Triangulation before =
-        triangulation(
+        new Triangulation(
+            after.domain(),
+            after.points(),
             dcel,
             edge -> after.kind(edge) == EdgeKind.FLIPPED ? EdgeKind.DIAGONAL : after.kind(edge));
     return new FlipResult(before, after, flips);

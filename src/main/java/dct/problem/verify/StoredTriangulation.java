@@ -5,6 +5,7 @@ import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
 import dct.problem.Method;
 
@@ -213,8 +214,18 @@ final class StoredTriangulation {
     return claims.edges().kind(edge) == EdgeKind.FLIPPED;
   }
 
+  /** The triangulation, its edges in the order of the file. */
+  Triangulation triangulation() {
+    return new Triangulation(domain, points, graph.toDcel(), claims.edges()::kind);
+  }
+
   /** The edges before the flips that the kinds of the edges tell of. */
   FlipUndo undoFlips() {
     return new FlipUndo(points, graph, claims.edges(), this::isFlipped);
+  }
+
+  /** The triangulation before the flips that the file lists. */
+  FlipListUndo undoListedFlips() {
+    return new FlipListUndo(triangulation(), claims.edges(), claims.flips());
   }
 }

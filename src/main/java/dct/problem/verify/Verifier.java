@@ -4,10 +4,13 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
+import dct.problem.Post;
 import dct.problem.verify.Verdict.Check;
 import dct.problem.verify.Verdict.Outcome;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -15,8 +18,9 @@ import java.util.Optional;
  * Checks everything that a result file claims of its triangulation against the file's own points
  * and edges, and believes nothing in it.
  *
- * <p>{@link StoredTriangulation} proves that it is a triangulation. Flips of a Scan-Flip run lie in
- * quadrilaterals that share no triangle, so they are undone from the result alone: the counts
+ * <p>{@link StoredTriangulation} proves that it is a triangulation. The flips that are listed are
+ * taken back one after the other; where there is no list, they are those of a Scan-Flip run, which
+ * lie in quadrilaterals that share no triangle, so that the result alone tells of them. The counts
  * before are recounted, and of what was there before it is checked that it is Delaunay, or that its
  * partition cuts pieces of the right form. The lower bound is computed anew. How the result came to
  * be (times, seed, limits, the input's name) is no claim about it, and is not looked at.
@@ -24,14 +28,13 @@ import java.util.Optional;
  * <p>Exact; O(n log n) time, and what the bound takes.
  */
 public final class Verifier {
-  private static final List<String> POSTS = List.of("none", "flip", "optimize");
-
   private final Claims claims;
   private final Optional<Instance> input;
   private final Progress progress;
   private final List<Check> checks = new ArrayList<>();
   private final StoredTriangulation stored;
   private PlaneGraph before; // the flips
+  private Post post;
 
   private Verifier(Claims claims, Optional<Instance> input, Progress progress) {
     this.claims = claims;
@@ -81,9 +84,7 @@ public final class Verifier {
 
   private void checkForm() {
     stored.checkForm();
-    String post = claims.text("post").orElse("");
-    FalseClaim.unless(
-        POSTS.contains(post), "the field \"post\" is none of \"none\", \"flip\", \"optimize\"");
+    post = claims.post();
     checkFields();
     long merged = claims.required("merged");
     boolean possible = stored.method().domain() == Domain.SITES ? merged >= 0 : merged == 0;
@@ -92,8 +93,10 @@ public final class Verifier {
 
   /** Fields that only another kind of result has claim what nothing here can bear out. */
   private void checkFields() {
-    if (!isPost("flip")) {
+    if (!post.isFlipped()) {
       refuse(List.of("flips", "evenBefore", "oddBefore"), "no flips were asked for");
+      FalseClaim.unless(
+          !claims.hasFlips(), "the field \"flipList\" is there, and no flips were asked for");
     }
     if (claims.text("wishes").isEmpty()) {
       refuse(
@@ -148,7 +151,7 @@ public final class Verifier {
   }
 
   private void checkKinds() {
-    boolean partitions = stored.method().hasPartition() && !isPost("optimize");
+    boolean partitions = stored.method().hasPartition() && !post.isOptimized();
     for (int i = 0; i < claims.edges().size(); i++) {
       EdgeKind kind = claims.edges().kind(i);
       boolean rim = stored.isRim(i);
@@ -163,22 +166,34 @@ public final class Verifier {
           line,
           edge + "of a partition, and the algorithm makes none");
       FalseClaim.unless(
-          kind != EdgeKind.FLIPPED || isPost("flip"),
+          kind != EdgeKind.FLIPPED || post.isFlipped(),
           line,
           edge + "flipped, and no flips were asked for");
     }
   }
 
-  private boolean isPost(String word) {
-    return claims.text("post").orElse("").equals(word);
+  private void checkFlips() {
+    int count;
+    if (claims.hasFlips()) {
+      FlipListUndo undone = stored.undoListedFlips();
+      count = undone.count();
+      before = graph(undone.result().before());
+    } else {
+      FlipUndo undone = stored.undoFlips();
+      count = undone.count();
+      before = undone.before(stored.instance().points());
+    }
+    if (post.isFlipped()) {
+      claim("flips", count);
+    }
   }
 
-  private void checkFlips() {
-    FlipUndo undone = stored.undoFlips();
-    before = undone.before(stored.instance().points());
-    if (isPost("flip")) {
-      claim("flips", undone.count());
-    }
+  private static PlaneGraph graph(Triangulation triangulation) {
+    int[] from = new int[triangulation.edgeCount()];
+    int[] to = new int[from.length];
+    Arrays.setAll(from, triangulation::from);
+    Arrays.setAll(to, triangulation::to);
+    return new PlaneGraph(triangulation.points(), from, to);
   }
 
   private void checkDegrees() {
@@ -186,7 +201,7 @@ public final class Verifier {
     int odd = odd(stored.graph());
     claim("even", n - odd);
     claim("odd", odd);
-    if (isPost("flip")) {
+    if (post.isFlipped()) {
       int oddBefore = odd(before);
       claim("evenBefore", n - oddBefore);
       claim("oddBefore", oddBefore);
@@ -207,7 +222,7 @@ public final class Verifier {
    * monotone piece behind a diagonal is convex or monotone too.
    */
   private void checkMethod() {
-    if (isPost("optimize")) {
+    if (post.isOptimized()) {
       return;
     }
     switch (stored.method().promise()) {
