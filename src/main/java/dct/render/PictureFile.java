@@ -34,21 +34,22 @@ public final class PictureFile {
    * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
   public static void write(Scene scene, Path file, Progress progress) throws CannotWriteException {
-    write(scene, fitted(scene), WIDTH, HEIGHT, file, progress);
+    write(scene, fitted(scene), WIDTH, HEIGHT, 1, file, progress);
   }
 
   /**
    * Writes what this viewport shows of the scene on a screen of this size.
    *
+   * @param scale pixels of a PNG for each pixel of the screen; other pictures have no pixels
    * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
    * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
   public static void write(
-      Scene scene, Viewport view, int width, int height, Path file, Progress progress)
+      Scene scene, Viewport view, int width, int height, int scale, Path file, Progress progress)
       throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    Picture picture = new Picture(scene, view, width, height, progress);
+    Picture picture = new Picture(scene, view, width, height, scale, progress);
     AtomicFile.write(file, progress, out -> picture.write(ending, out));
   }
 
@@ -60,9 +61,11 @@ public final class PictureFile {
   /**
    * What is to be seen in a picture, and who is asked whether to go on drawing it.
    *
-   * @param width of the picture, as {@code height} in pixels
+   * @param width of the picture, as {@code height} in pixels of a screen
+   * @param scale pixels of an image for each of those
    */
-  record Picture(Scene scene, Viewport view, int width, int height, Progress progress) {
+  record Picture(
+      Scene scene, Viewport view, int width, int height, int scale, Progress progress) {
 
     void write(FileEnding ending, OutputStream out) throws IOException {
       switch (ending) {
@@ -91,9 +94,11 @@ public final class PictureFile {
 
     /** An image, smoothed. */
     BufferedImage image() {
-      BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-      SceneRaster.draw(scene, view, THEME, 1, image, progress);
+      BufferedImage image =
+          new BufferedImage(scale * width, scale * height, BufferedImage.TYPE_INT_RGB);
+      SceneRaster.draw(scene, view, THEME, scale, image, progress);
       Graphics2D graphics = image.createGraphics();
+      graphics.scale(scale, scale);
       ScenePainter.paintCounts(
           scene, new Box(0, 0, width, height), new GraphicsPen(graphics, THEME));
       graphics.dispose();

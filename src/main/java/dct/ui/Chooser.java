@@ -5,18 +5,23 @@ import dct.io.FileEnding.Content;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** The file panels. Each kind begins in the folder where it was last. */
+/** The file panels. Each kind begins in the folder where it was last, unless told another. */
 enum Chooser {
-  DOCUMENTS("Polygons and sites", FileEnding.TXT.dotted().substring(1)),
-  WISHES("Wished parities", FileEnding.TXT.dotted().substring(1)),
+  DOCUMENTS("Polygons and sites", "txt", "json"),
+  WISHES("Wished parities", "txt"),
   PICTURES("Pictures", FileEnding.extensions(Content.PICTURE)),
   STUDIES(
       "Rows, tables and charts",
       FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));
+
+  private static final Map<Chooser, Path> LAST = new EnumMap<>(Chooser.class); // folders
 
   private final String filter;
   private final String extensions; // separated by blanks
@@ -34,12 +39,25 @@ enum Chooser {
 
   /** Asks for a file to save to; the one suggested may be a bare name. */
   Optional<Path> save(Component parent, Path suggested) {
+    return ask(parent, suggested, "Save", chooser -> {});
+  }
+
+  /**
+   * Asks for a file to write to; the one suggested may be a bare name.
+   *
+   * @param title what is done to it, for the panel's title and button
+   * @param extend adds to the panel what else is to be asked
+   */
+  Optional<Path> ask(
+      Component parent, Path suggested, String title, Consumer<JFileChooser> extend) {
     JFileChooser chooser = panel(Optional.ofNullable(suggested.getParent()));
+    chooser.setDialogTitle(title);
+    extend.accept(chooser);
     chooser.setSelectedFile(
         suggested.isAbsolute()
             ? suggested.toFile()
             : new File(chooser.getCurrentDirectory(), suggested.toString()));
-    return chosen(chooser, chooser.showSaveDialog(parent));
+    return chosen(chooser, chooser.showDialog(parent, title.replaceFirst(" .*", "")));
   }
 
   /** Asks whether a file may be replaced. */
@@ -49,14 +67,18 @@ enum Chooser {
   }
 
   private JFileChooser panel(Optional<Path> folder) {
-    JFileChooser chooser = new JFileChooser(folder.map(Path::toFile).orElse(new File(".")));
+    Path begin = folder.or(() -> Optional.ofNullable(LAST.get(this))).orElse(Path.of(""));
+    JFileChooser chooser = new JFileChooser(begin.toAbsolutePath().toFile());
     chooser.setFileFilter(new FileNameExtensionFilter(filter, extensions.split(" ")));
     return chooser;
   }
 
-  private static Optional<Path> chosen(JFileChooser chooser, int answer) {
-    return answer == JFileChooser.APPROVE_OPTION
-        ? Optional.of(chooser.getSelectedFile().toPath())
-        : Optional.empty();
+  private Optional<Path> chosen(JFileChooser chooser, int answer) {
+    if (answer != JFileChooser.APPROVE_OPTION) {
+      return Optional.empty();
+    }
+    Path file = chooser.getSelectedFile().toPath();
+    LAST.put(this, file.toAbsolutePath().getParent());
+    return Optional.of(file);
   }
 }

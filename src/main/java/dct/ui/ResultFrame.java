@@ -50,7 +50,7 @@ public final class ResultFrame extends JFrame implements CommandWindow {
         "Export Picture",
         "ctrl E",
         FileCommands.pictures(),
-        () -> PictureExport.ask(this, canvas, name, jobs));
+        () -> PictureExport.ask(this, canvas, name, jobs, done -> {}));
     commands.add("Close", "ctrl W", "Closes this window", this::dispose);
     ViewCommands.offer(commands, canvas);
     commands.bindKeys(getRootPane());

@@ -165,6 +165,6 @@ class PictureFileTest {
   }
 
   private Picture picture() {
-    return new Picture(scene, PictureFile.fitted(scene), 1000, 700, Progress.NONE);
+    return new Picture(scene, PictureFile.fitted(scene), 1000, 700, 1, Progress.NONE);
   }
 }

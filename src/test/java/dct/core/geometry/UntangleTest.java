@@ -106,8 +106,8 @@ class UntangleTest {
     int[] cells =
         random.ints(0, range * range).distinct().limit(Math.min(n, range * range)).toArray();
     return Points.of(
-        Arrays.stream(cells).mapToDouble(cell -> cell % range).toArray(),
-        Arrays.stream(cells).mapToDouble(cell -> cell / range).toArray());
+        Arrays.stream(cells).map(cell -> cell % range).asDoubleStream().toArray(),
+        Arrays.stream(cells).map(cell -> cell / range).asDoubleStream().toArray());
   }
 
   private static void requireSimple(Points points, String name) {
