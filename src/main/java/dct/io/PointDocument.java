@@ -1,6 +1,7 @@
 package dct.io;
 
 import dct.core.Progress;
+import dct.core.degree.ParityGoal;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
@@ -10,6 +11,10 @@ import dct.problem.Solution;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Restoration;
+import dct.problem.verify.Verdict;
+import dct.problem.verify.Verdict.Outcome;
+import dct.problem.verify.Verifier;
+import dct.problem.verify.WishLetters;
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -25,7 +30,7 @@ public final class PointDocument {
   private final Optional<Domain> declared;
   private final Points points;
   private final int[] lines; // the line of each point
-  private final Optional<Claims> result; // if the file holds a triangulation too
+  private final Optional<Claims> claims; // what a file of JSON says, and whatever else it holds
   private final int secondRing; // the line where another ring may begin, 0 if there is none
 
   PointDocument(
@@ -38,13 +43,13 @@ public final class PointDocument {
       Optional<Domain> declared,
       Points points,
       int[] lines,
-      Optional<Claims> result,
+      Optional<Claims> claims,
       int secondRing) {
     this.source = source;
     this.declared = declared;
     this.points = points;
     this.lines = lines;
-    this.result = result;
+    this.claims = claims;
     this.secondRing = secondRing;
   }
 
@@ -58,12 +63,7 @@ public final class PointDocument {
   /** What a file of the program's own JSON says. */
   static PointDocument of(Claims claims) {
     return new PointDocument(
-        claims.source(),
-        claims.domain(),
-        claims.points(),
-        claims.lines(),
-        Optional.of(claims).filter(Claims::hasEdges),
-        0);
+        claims.source(), claims.domain(), claims.points(), claims.lines(), Optional.of(claims), 0);
   }
 
   /** The same points, said to be of this domain; a triangulation of another is left out. */
@@ -73,7 +73,7 @@ public final class PointDocument {
         Optional.of(domain),
         points,
         lines,
-        result.filter(claims -> claims.domain().equals(Optional.of(domain))),
+        claims.filter(said -> said.domain().map(domain::equals).orElse(!said.hasEdges())),
         secondRing);
   }
 
@@ -147,10 +147,61 @@ public final class PointDocument {
    */
   public Optional<Solution> solution(Progress progress) {
     try {
-      return result.map(claims -> Restoration.of(claims, progress));
+      return claims.filter(Claims::hasEdges).map(said -> Restoration.of(said, progress));
     } catch (FalseClaim e) {
-      throw new BadInputException(source, e.line(), e.getMessage() + FalseClaim.CURE);
+      throw falseClaim(e.line(), e.getMessage());
     }
+  }
+
+  /**
+   * What came of checking everything that the file says of its triangulation, if it holds one.
+   *
+   * @throws BadInputException if some of it is false
+   */
+  public Optional<Verdict> verified(Progress progress) {
+    Optional<Verdict> verdict =
+        claims
+            .filter(Claims::hasEdges)
+            .map(said -> Verifier.verify(said, Optional.empty(), progress));
+    verdict
+        .flatMap(checked -> checked.first(Outcome.FALSE))
+        .ifPresent(
+            lie -> {
+              throw falseClaim(lie.line(), lie.detail());
+            });
+    return verdict;
+  }
+
+  private BadInputException falseClaim(int line, String what) {
+    return new BadInputException(source, line, what + FalseClaim.CURE);
+  }
+
+  /**
+   * The parities that the file wishes of the vertices, if it holds wishes: those of the document,
+   * or else those that its triangulation was made for.
+   *
+   * @throws BadInputException if they are not one for each point
+   */
+  public Optional<ParityGoal> wishes() {
+    return claims.flatMap(this::wishes);
+  }
+
+  private Optional<ParityGoal> wishes(Claims said) {
+    String field =
+        said.text(ResultJson.DRAWN_WISHES).isPresent() ? ResultJson.DRAWN_WISHES : "wishes";
+    Optional<String> letters = said.text(field);
+    Optional<ParityGoal> goal = letters.flatMap(WishLetters::parse);
+    if (letters.isPresent() && goal.filter(g -> g.size() == points.size()).isEmpty()) {
+      throw falseClaim(
+          1,
+          "the field \""
+              + field
+              + "\" is not "
+              + points.size()
+              + (points.size() == 1 ? " letter" : " letters")
+              + " e, o or a");
+    }
+    return goal;
   }
 
   private boolean couldBeSites(Progress progress) {

@@ -8,8 +8,10 @@ import dct.core.degree.DegreeCount;
 import dct.core.degree.Flip;
 import dct.core.degree.FlipList;
 import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
@@ -36,6 +38,7 @@ import java.util.Optional;
  */
 public final class ResultJson {
   static final String FORMAT = "dct-result/1";
+  static final String DRAWN_WISHES = "documentWishes";
   private static final FormattingStyle SPACED =
       FormattingStyle.COMPACT.withSpaceAfterSeparators(true);
 
@@ -81,8 +84,53 @@ public final class ResultJson {
     AtomicFile.write(file, progress, out -> write(out, solution, millis));
   }
 
+  /**
+   * Writes the whole result to a file, or nothing; with the wishes of the document that it is shown
+   * in, where those are not the ones that it was made for.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(Path file, Solution solution, ParityGoal wishes, Progress progress)
+      throws CannotWriteException {
+    AtomicFile.write(file, progress, out -> write(out, solution, Optional.empty(), wishes));
+  }
+
+  /**
+   * Writes points of a domain and what is wished of them to a file, or nothing.
+   *
+   * @throws CannotWriteException if that failed; nothing is changed then
+   */
+  public static void write(
+      Path file, Domain domain, Points points, ParityGoal wishes, Progress progress)
+      throws CannotWriteException {
+    AtomicFile.write(
+        file,
+        progress,
+        out ->
+            write(
+                out,
+                json -> {
+                  json.json.name("kind").value(domain.word());
+                  json.wishes("wishes", wishes, ParityGoal.allEven(points.size()));
+                  json.points(points);
+                }));
+  }
+
   /** Writes the whole result to a stream. */
   public static void write(OutputStream out, Solution solution, Optional<Millis> millis)
+      throws IOException {
+    write(out, solution, millis, goal(solution));
+  }
+
+  private static ParityGoal goal(Solution solution) {
+    return solution
+        .wished()
+        .map(Optimum::goal)
+        .orElseGet(() -> ParityGoal.allEven(solution.instance().size()));
+  }
+
+  private static void write(
+      OutputStream out, Solution solution, Optional<Millis> millis, ParityGoal wishes)
       throws IOException {
     write(
         out,
@@ -91,12 +139,19 @@ public final class ResultJson {
           json.json.name("version").value(Solution.programVersion());
           json.summaryFields(solution, millis);
           json.searchFields(solution);
+          json.wishes(DRAWN_WISHES, wishes, goal(solution));
           json.points(solution.instance().points());
           json.edges(solution.triangulation());
           if (solution.flips().isPresent()) {
             json.flips(FlipList.of(solution.flips().get()));
           }
         });
+  }
+
+  private void wishes(String field, ParityGoal wishes, ParityGoal usual) throws IOException {
+    if (!wishes.equals(usual)) {
+      json.name(field).value(WishLetters.of(wishes));
+    }
   }
 
   /**

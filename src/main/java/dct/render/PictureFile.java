@@ -64,8 +64,7 @@ public final class PictureFile {
    * @param width of the picture, as {@code height} in pixels of a screen
    * @param scale pixels of an image for each of those
    */
-  record Picture(
-      Scene scene, Viewport view, int width, int height, int scale, Progress progress) {
+  record Picture(Scene scene, Viewport view, int width, int height, int scale, Progress progress) {
 
     void write(FileEnding ending, OutputStream out) throws IOException {
       switch (ending) {

@@ -4,7 +4,10 @@ import java.awt.Component;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 
-/** Questions and messages, in sentences that wrap. */
+/**
+ * Questions and messages, in sentences that wrap. Enter takes the answer by which nothing is lost,
+ * Esc none.
+ */
 public final class Ask {
 
   private Ask() {}
@@ -13,8 +16,8 @@ public final class Ask {
   private static final class Pane extends JOptionPane {
     private static final long serialVersionUID = 1L;
 
-    Pane(String message, int kind, Object... options) {
-      super(message, kind, DEFAULT_OPTION, null, options, options[0]);
+    Pane(String message, int kind, int onEnter, Object... options) {
+      super(message, kind, DEFAULT_OPTION, null, options, options[onEnter]);
     }
 
     @Override
@@ -25,33 +28,38 @@ public final class Ask {
 
   /** Says that something is wrong. */
   public static void sorry(Component parent, String title, String sentence) {
-    show(parent, title, new Pane(sentence, JOptionPane.ERROR_MESSAGE, "OK"));
+    show(parent, title, new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, "OK"));
   }
 
   /** Says something. */
   public static void tell(Component parent, String title, String sentence) {
-    show(parent, title, new Pane(sentence, JOptionPane.INFORMATION_MESSAGE, "OK"));
+    show(parent, title, new Pane(sentence, JOptionPane.INFORMATION_MESSAGE, 0, "OK"));
   }
 
   /**
-   * Asks a question.
+   * Asks whether to do something by which something may be lost; Enter cancels.
    *
    * @param yes what the first button says; the second says Cancel
    * @return whether the first button was pressed
    */
   public static boolean confirm(Component parent, String title, String question, String yes) {
-    return choose(parent, title, question, yes, "Cancel") == 0;
+    return choose(parent, title, question, 1, yes, "Cancel") == 0;
   }
 
   /** Says that something is wrong, and offers to do something about it. */
   public static boolean offer(Component parent, String title, String sentence, String yes) {
-    Pane pane = new Pane(sentence, JOptionPane.ERROR_MESSAGE, yes, "Close");
+    Pane pane = new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, yes, "Close");
     return chosen(parent, title, pane, yes, "Close") == 0;
   }
 
-  /** Asks a question of several answers; the number of the one chosen, or −1. */
-  public static int choose(Component parent, String title, String question, String... answers) {
-    Pane pane = new Pane(question, JOptionPane.QUESTION_MESSAGE, (Object[]) answers);
+  /**
+   * Asks a question of several answers; the number of the one chosen, or −1.
+   *
+   * @param onEnter the number of the answer that Enter gives: one by which nothing is lost
+   */
+  public static int choose(
+      Component parent, String title, String question, int onEnter, String... answers) {
+    Pane pane = new Pane(question, JOptionPane.QUESTION_MESSAGE, onEnter, (Object[]) answers);
     return chosen(parent, title, pane, answers);
   }
 

@@ -63,12 +63,12 @@ final class WishWork {
           "Every vertex is wished to be even. Choose Edit ▸ Wish Parity (key W) and click vertices"
               + " to wish them odd or any, or load a file that has a line “v odd” or “v any” for"
               + " each vertex v that shall not be even.";
-      if (Ask.choose(parent, TITLE, how, "Load Wishes", "Cancel") == 0) {
+      if (Ask.choose(parent, TITLE, how, 0, "Load Wishes", "Cancel") == 0) {
         load(editor, optimizer);
       }
     } else {
       switch (Ask.choose(
-          parent, TITLE, words(wishes), "Triangulate", "Load Wishes", "Save Wishes", "Cancel")) {
+          parent, TITLE, words(wishes), 0, "Triangulate", "Load Wishes", "Save Wishes", "Cancel")) {
         case 0 -> optimizer.optimize(TITLE, n -> wishes);
         case 1 -> load(editor, optimizer);
         case 2 -> save(editor);

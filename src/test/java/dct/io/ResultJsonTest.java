@@ -9,6 +9,9 @@ import com.google.gson.JsonParser;
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.degree.FlipResult;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
@@ -17,6 +20,7 @@ import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
+import dct.problem.verify.Verdict.Outcome;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -73,6 +77,40 @@ class ResultJsonTest {
     assertThat(json.get("evenBefore").getAsInt()).isEqualTo(2);
     assertThat(json.get("oddBefore").getAsInt()).isEqualTo(2);
     assertThat(json.get("flips").getAsInt()).isEqualTo(1);
+  }
+
+  @Test
+  void wishes_of_the_document_are_kept_beside_a_result_made_for_others(@TempDir Path folder)
+      throws Exception {
+    Points points = Points.ofPairs(0, 0, 10, 0, 10, 10, 0, 9);
+    Instance instance = Instance.of(Domain.POLYGON, "a.txt", points, Progress.NONE);
+    Solution solution =
+        Solution.of(instance, Method.MONOTONE, Progress.NONE)
+            .optimized(SearchLimits.DEFAULT, Progress.NONE);
+    ParityGoal wishes = ParityGoal.of(Wish.EVEN, Wish.ODD, Wish.ANY, Wish.EVEN);
+    Path file = folder.resolve("a.json");
+    ResultJson.write(file, solution, wishes, Progress.NONE);
+    PointDocument read = PointFile.read(file, Progress.NONE);
+    assertThat(read.wishes()).contains(wishes);
+    assertThat(read.verified(Progress.NONE).orElseThrow().outcome()).isEqualTo(Outcome.TRUE);
+    Solution again = read.solution(Progress.NONE).orElseThrow();
+    assertThat(again.instance().wishes()).isEqualTo(ParityGoal.allEven(4));
+    assertThat(again.optimum().orElseThrow().bound())
+        .isEqualTo(solution.optimum().orElseThrow().bound());
+  }
+
+  @Test
+  void a_false_triangulation_is_refused_with_its_line(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("a.json");
+    Points points = Points.ofPairs(0, 0, 10, 0, 10, 10, 0, 9);
+    Instance instance = Instance.of(Domain.POLYGON, "a.txt", points, Progress.NONE);
+    Solution solution = Solution.of(instance, Method.MONOTONE, Progress.NONE);
+    ResultJson.write(file, solution, ParityGoal.allEven(4), Progress.NONE);
+    Files.writeString(file, Files.readString(file).replace("\"even\": 2", "\"even\": 3"));
+    PointDocument read = PointFile.read(file, Progress.NONE);
+    assertThatThrownBy(() -> read.verified(Progress.NONE))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("the field \"even\"");
   }
 
   @Test
@@ -158,7 +196,8 @@ class ResultJsonTest {
             + " scale the data",
         "{\"points\": [[NaN, 0]]} | 1: this is not JSON, at points[0][0]; correct it",
         "{\"points\": [[0x1, 0]]} | 1: this is not JSON, at points[0][0]; correct it",
-        "{\"points\": [[0, 0],~[1, 0 | 2: the JSON text ends too early; restore the rest of the file",
+        "{\"points\": [[0, 0],~[1, 0 | 2: the JSON text ends too early; restore the rest of the"
+            + " file",
         "{\"points\": []}~{} | 2: something follows the JSON object; remove it",
         "{\"points\": [], \"points\": []} | 1: the field \"points\" is there twice; remove one",
         "{\"n\": 1,~\"n\": 1} | 2: the field \"n\" is there twice; remove one",

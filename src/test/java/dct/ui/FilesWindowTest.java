@@ -24,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The File menu, by mouse and keyboard. */
 class FilesWindowTest extends WindowTest {
@@ -64,7 +65,7 @@ class FilesWindowTest extends WindowTest {
     push("Clear Canvas");
     type(KeyEvent.VK_O, KeyEvent.VK_CONTROL);
     typeName(folder.resolve("mine").toString());
-    answer(dialog(), "Discard");
+    answer(dialog(), "Don't Save");
     assertThat(points()).isEqualTo(sample);
     assertThat(window.getTitle()).startsWith(saved);
   }
@@ -157,14 +158,124 @@ class FilesWindowTest extends WindowTest {
   }
 
   @Test
-  void savingAPolygonThatIsNotSimpleWarns() {
+  void aPolygonThatIsNotSimpleIsSavedAndOpenedAgain() {
     choose("Polygon Based");
     clickAt(100, 100, 500, 400, 500, 100, 100, 400);
+    Points bowTie = points();
     menu("Save");
-    JOptionPaneFixture dialog = dialog();
-    assertThat(message(dialog)).contains("cannot be opened again").contains("cross");
-    answer(dialog, "Cancel");
+    typeName(folder.resolve("tie").toString());
+    settle();
     requireNoDialog();
+    push("Clear Canvas");
+    open(folder.resolve("tie"));
+    answer(dialog(), "Don't Save");
+    assertThat(points()).isEqualTo(bowTie);
+    requireNoDialog();
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @ValueSource(
+      strings = {
+        "1 2\n",
+        "1 2\n3 4\n",
+        "0 0\n9 0\n9 0\n0 9\n",
+        "0 0\n5 5\n9 9\n",
+        "0 0\n9 9\n9 0\n0 9\n",
+        "0 0\n9 0\n5 0\n5 9\n"
+      })
+  void whatCannotBeTriangulatedOpensAllTheSame(String content) throws Exception {
+    for (String suffix : new String[] {"_polygonbased", "_pointbased"}) {
+      Path file = folder.resolve("odd" + suffix + ".txt");
+      Files.writeString(file, content);
+      open(file);
+      settle();
+      requireNoDialog();
+      assertThat(window.getTitle()).startsWith(file.getFileName().toString());
+      assertThat(points().size()).isPositive();
+    }
+  }
+
+  @Test
+  void savingGoesToTheFileThatTheDocumentCameFrom() throws Exception {
+    Path one = Files.createDirectory(folder.resolve("one")).resolve("a_polygonbased.txt");
+    Path two = Files.createDirectory(folder.resolve("two")).resolve("b_pointbased.txt");
+    Files.writeString(one, "100 100\n500 100\n300 400\n");
+    Files.writeString(two, "100 100\n500 100\n300 400\n");
+    open(one);
+    open(two);
+    choose("Polygon Based");
+    check("Draw Vertex");
+    clickAt(150, 300);
+    type(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+    requireNoDialog();
+    assertThat(frame.label("status").text()).isEqualTo("Saved " + one);
+    assertThat(one).hasContent("100 100\n500 100\n300 400\n150 300\n");
+    assertThat(two).hasContent("100 100\n500 100\n300 400\n");
+  }
+
+  @Test
+  void aFileThatAnotherProgramHasChangedIsNamedBeforeItIsOverwritten() throws Exception {
+    Path file = folder.resolve("a_polygonbased.txt");
+    Files.writeString(file, "100 100\n500 100\n300 400\n");
+    open(file);
+    check("Draw Vertex");
+    clickAt(150, 300);
+    Files.writeString(file, "1 1\n5 1\n3 4\n"); // of the same size
+    type(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).startsWith("a_polygonbased.txt has been changed");
+    pressEnter(question);
+    assertThat(file).hasContent("1 1\n5 1\n3 4\n");
+    assertThat(window.getTitle()).startsWith("*");
+    type(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+    answer(dialog(), "Overwrite");
+    assertThat(file).hasContent("100 100\n500 100\n300 400\n150 300\n");
+    clickAt(140, 290);
+    type(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+    requireNoDialog();
+    assertThat(window.getTitle()).startsWith("a_");
+  }
+
+  /** Presses Enter in a dialog, which has the focus. */
+  private void pressEnter(JOptionPaneFixture dialog) {
+    robot.waitForIdle();
+    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
+    await("the dialog is closed", () -> !dialog.target().isShowing());
+    settle();
+  }
+
+  @Test
+  void enterLosesNothing() throws Exception {
+    Path file = folder.resolve("old_polygonbased.txt");
+    Files.writeString(file, "0 0\n9 0\n0 9\n");
+    drawTriangle();
+    menu("Save");
+    typeName(folder.resolve("old").toString());
+    pressEnter(dialog());
+    assertThat(file).hasContent("0 0\n9 0\n0 9\n");
+    menu("Exit");
+    pressEnter(dialog());
+    assertThat(window.isShowing()).isTrue();
+    assertThat(points()).isEqualTo(TRIANGLE);
+  }
+
+  @Test
+  void wishesAreKeptInJson() throws Exception {
+    drawTriangle();
+    type(KeyEvent.VK_W);
+    clickAt(500, 100);
+    menu("Save");
+    typeName(folder.resolve("mine.json").toString());
+    settle();
+    assertThat(folder.resolve("mine.json"))
+        .hasContent(
+            "{\"kind\": \"polygon\", \"wishes\": \"eoe\", \"points\": [\n"
+                + "[100, 100],\n[500, 100],\n[300, 400]]}");
+    menu("New");
+    requireNoDialog();
+    open(folder.resolve("mine.json"));
+    assertThat(onEventThread(() -> window.workbench().document().wishes()))
+        .isEqualTo(ParityGoal.of(Wish.EVEN, Wish.ODD, Wish.EVEN));
   }
 
   @Test
@@ -181,21 +292,19 @@ class FilesWindowTest extends WindowTest {
 
   static Stream<Arguments> badFiles() {
     return Stream.of(
-        Arguments.of("empty", "", ""),
+        Arguments.of("empty", "", "is empty"),
+        Arguments.of("no-points", "{\"points\": []}", "no points"),
+        Arguments.of(
+            "short-wishes",
+            "{\"wishes\": \"eo\", \"points\": [[1, 2], [3, 4], [5, 7]]}",
+            "3 letters"),
         Arguments.of("binary", "\u0000\u0001\u0002\u007f\n\u0000\u0000", "line 1"),
-        Arguments.of("one-vertex", "1 2\n", "1 vertex"),
-        Arguments.of("two-vertices", "1 2\n3 4\n", "2 vertices"),
         Arguments.of("word", "0 0\n9 0\nseven 9\n", "line 3"),
         Arguments.of("one-number", "0 0\n9\n0 9\n", "line 2"),
         Arguments.of("nan", "0 0\n9 NaN\n0 9\n", "line 2"),
         Arguments.of("infinity", "0 0\n9 0\n0 Infinity\n", "line 3"),
         Arguments.of("huge", "0 0\n1e400 0\n0 9\n", "line 2"),
         Arguments.of("hexadecimal", "0x10 0\n9 0\n0 9\n", "line 1"),
-        Arguments.of("duplicate", "0 0\n9 0\n9 0\n0 9\n", "line 3"),
-        Arguments.of("on-one-line", "0 0\n5 5\n9 9\n", "one line"),
-        Arguments.of("bow-tie", "0 0\n9 9\n9 0\n0 9\n", "cross"),
-        Arguments.of("touching", "0 0\n9 0\n9 9\n5 0\n0 9\n", "touches"),
-        Arguments.of("spike", "0 0\n9 0\n5 0\n5 9\n", ""),
         Arguments.of("latin-1", "0 0\n9 \u00e9\n0 9\n", "line 2"),
         Arguments.of("decimal-comma", "0,5 0,5\n9,5 0\n0 9\n", "line 1"),
         Arguments.of("garbage", "#!x\n".repeat(3) + "garbage\n".repeat(1_000_000), "line 4"));
@@ -267,13 +376,25 @@ class FilesWindowTest extends WindowTest {
   }
 
   @Test
-  void aPictureIsExported() throws Exception {
+  void aPictureIsExportedInTheSizeAskedFor() throws Exception {
     drawTriangle();
     menu("Export Picture");
+    JFileChooserFixture panel =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    assertThat(onEventThread(() -> panel.target().getDialogTitle())).isEqualTo("Export Picture");
+    onEventThread(
+        () -> {
+          robot
+              .finder()
+              .findByName(panel.target(), "scale", javax.swing.JComboBox.class)
+              .setSelectedIndex(1);
+          return null;
+        });
     typeName(folder.resolve("picture").toString());
     Path file = folder.resolve("picture.png");
-    await("the picture is written", () -> Files.exists(file));
-    assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(canvas().getWidth());
+    settle();
+    assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(2 * canvas().getWidth());
+    assertThat(frame.label("status").text()).isEqualTo("Exported " + file);
   }
 
   @Test
