@@ -74,6 +74,31 @@ final class IndexedEdges {
     return longest[block];
   }
 
+  /**
+   * The edge between two places, in logarithmic time and that of looking at the edges of one place.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  int find(int a, int b) {
+    int nearer = Math.min(a, b);
+    int low = 0;
+    int high = from.length;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (Math.min(from[middle], to[middle]) < nearer) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    for (int k = low; k < from.length && Math.min(from[k], to[k]) == nearer; k++) {
+      if (Math.max(from[k], to[k]) == Math.max(a, b)) {
+        return k;
+      }
+    }
+    throw new IllegalArgumentException("there is no edge between places " + a + " and " + b);
+  }
+
   /** The place of one end of edge k. */
   int from(int k) {
     return from[k];

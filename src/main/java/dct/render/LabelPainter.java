@@ -1,10 +1,11 @@
 package dct.render;
 
 import dct.core.geometry.Box;
-import dct.core.geometry.Points;
+import dct.core.triangulate.MovedSite;
 import dct.render.Pen.Anchor;
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -41,10 +42,9 @@ final class LabelPainter {
       pointAway();
     }
     pen.style(Stroke.fill(Ink.LABEL));
-    Points points = scene.points();
-    for (int v = 0; v < points.size(); v++) {
-      double x = view.screenX(points.x(v));
-      double y = view.screenY(points.y(v));
+    for (int v = 0; v < scene.size(); v++) {
+      double x = view.screenX(scene.x(v));
+      double y = view.screenY(scene.y(v));
       if (screen.holds(x, y)) {
         label(pen, v, x, y);
       }
@@ -53,25 +53,34 @@ final class LabelPainter {
 
   /** For each vertex in sight, the reverse of the mean direction of its edges. */
   private void pointAway() {
+    List<IndexedEdges> layers = scene.index().layers();
+    for (int layer = 0; layer < layers.size(); layer++) {
+      pointAway(layers.get(layer), scene.patch().hidden(layer));
+      for (MovedSite.Edge edge : scene.patch().added(layer)) {
+        pointAway(edge.from(), edge.to());
+      }
+    }
+  }
+
+  private void pointAway(IndexedEdges edges, Few hidden) {
     SceneIndex index = scene.index();
-    for (IndexedEdges edges : index.layers()) {
-      Blocks blocks = edges.blocks();
-      for (int block = 0; block < blocks.count(); block++) {
-        if (blocks.mayMeet(block, view, screen)) {
-          for (int k = blocks.first(block); k < blocks.end(block); k++) {
-            pointAway(index, edges.from(k), edges.to(k));
-          }
+    Blocks blocks = edges.blocks();
+    int block = blocks.next(0, view, screen);
+    for (; block < blocks.count(); block = blocks.next(block + 1, view, screen)) {
+      for (int k = blocks.first(block); k < blocks.end(block); k++) {
+        if (!hidden.holds(k)) {
+          pointAway(index.vertex(edges.from(k)), index.vertex(edges.to(k)));
         }
       }
     }
   }
 
-  private void pointAway(SceneIndex index, int a, int b) {
-    double dx = view.screenX(index.x(a)) - view.screenX(index.x(b));
-    double dy = view.screenY(index.y(a)) - view.screenY(index.y(b));
+  private void pointAway(int u, int v) {
+    double dx = view.screenX(scene.x(u)) - view.screenX(scene.x(v));
+    double dy = view.screenY(scene.y(u)) - view.screenY(scene.y(v));
     double length = Math.max(Math.hypot(dx, dy), 1e-9);
-    add(index.vertex(a), dx / length, dy / length);
-    add(index.vertex(b), -dx / length, -dy / length);
+    add(u, dx / length, dy / length);
+    add(v, -dx / length, -dy / length);
   }
 
   private void add(int v, double dx, double dy) {

@@ -1,6 +1,7 @@
 package dct.render;
 
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
@@ -21,6 +22,8 @@ final class RasterPen implements Pen {
   private final BufferedImage image;
   private final int[] pixels;
   private final int width;
+  private final int left; // the first column that is drawn on
+  private final int right; // the column behind the last one
   private final int top; // the first row that is drawn on
   private final int bottom; // the row behind the last one
   private final double scale;
@@ -38,18 +41,27 @@ final class RasterPen implements Pen {
    * @param scale pixels of the image per pixel of the coordinates
    */
   RasterPen(BufferedImage image, int top, int bottom, double scale, Theme theme) {
+    this(image, new Rectangle(0, top, image.getWidth(), bottom - top), scale, theme);
+  }
+
+  /** A pen for a part of an image. */
+  RasterPen(BufferedImage image, Rectangle part, double scale, Theme theme) {
     this.image = image;
     this.pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
     this.width = image.getWidth();
-    this.top = top;
-    this.bottom = bottom;
+    this.left = part.x;
+    this.right = part.x + part.width;
+    this.top = part.y;
+    this.bottom = part.y + part.height;
     this.scale = scale;
     this.theme = theme;
   }
 
-  /** Fills the rows with the colour of the ground. */
+  /** Fills the part with the colour of the ground. */
   void ground() {
-    Arrays.fill(pixels, top * width, bottom * width, Ink.BACKGROUND.rgb(theme));
+    for (int row = top; row < bottom; row++) {
+      Arrays.fill(pixels, row * width + left, row * width + right, Ink.BACKGROUND.rgb(theme));
+    }
   }
 
   @Override
@@ -71,8 +83,8 @@ final class RasterPen implements Pen {
     double ay = device(y1);
     double dx = device(x2) - ax;
     double dy = device(y2) - ay;
-    double from = Math.max(enter(ax, dx, 0, width), enter(ay, dy, top, bottom));
-    double to = Math.min(leave(ax, dx, 0, width), leave(ay, dy, top, bottom));
+    double from = Math.max(enter(ax, dx, left, right), enter(ay, dy, top, bottom));
+    double to = Math.min(leave(ax, dx, left, right), leave(ay, dy, top, bottom));
     if (from < to) {
       double before = dashed ? from * Math.hypot(dx, dy) : 0;
       if (Math.abs(dy) > Math.abs(dx)) {
@@ -114,8 +126,8 @@ final class RasterPen implements Pen {
     double slope = (v2 - v1) / (u2 - u1);
     double cosine = 1 / Math.sqrt(1 + slope * slope);
     double reach = (lineWidth / 2 + 0.5) / cosine;
-    int last = Math.min(steep ? bottom : width, (int) Math.ceil(high + 0.5)) - 1;
-    for (int i = Math.max(steep ? top : 0, (int) Math.ceil(low - 0.5)); i <= last; i++) {
+    int last = Math.min(steep ? bottom : right, (int) Math.ceil(high + 0.5)) - 1;
+    for (int i = Math.max(steep ? top : left, (int) Math.ceil(low - 0.5)); i <= last; i++) {
       double part = Math.min(i + 0.5, high) - Math.max(i - 0.5, low);
       if (dashed) {
         double along = before + (i - u1) * Math.signum(u2 - u1) / cosine;
@@ -136,8 +148,8 @@ final class RasterPen implements Pen {
   /** One step: the pixels with this u that the line covers. */
   private void across(int u, double v, double reach, double cosine, double part, boolean steep) {
     double most = Math.min(1, lineWidth);
-    int first = Math.max(steep ? 0 : top, (int) Math.ceil(v - reach));
-    int last = Math.min((steep ? width : bottom) - 1, (int) Math.floor(v + reach));
+    int first = Math.max(steep ? left : top, (int) Math.ceil(v - reach));
+    int last = Math.min((steep ? right : bottom) - 1, (int) Math.floor(v + reach));
     for (int w = first; w <= last; w++) {
       double cover = Math.min(most, (reach - Math.abs(w - v)) * cosine) * part;
       mix(steep ? u * width + w : w * width + u, cover);
@@ -154,7 +166,7 @@ final class RasterPen implements Pen {
     double cx = device(x);
     double cy = device(y);
     for (int j = first(cy - r - 0.5, top, bottom); j <= last(cy + r + 0.5, bottom); j++) {
-      for (int i = first(cx - r - 0.5, 0, width); i <= last(cx + r + 0.5, width); i++) {
+      for (int i = first(cx - r - 0.5, left, right); i <= last(cx + r + 0.5, right); i++) {
         mix(j * width + i, Math.min(1, r + 0.5 - distance(i - cx, j - cy)));
       }
     }
@@ -168,7 +180,7 @@ final class RasterPen implements Pen {
     double outer = r + lineWidth;
     double most = Math.min(1, lineWidth);
     for (int j = first(cy - outer, top, bottom); j <= last(cy + outer, bottom); j++) {
-      for (int i = first(cx - outer, 0, width); i <= last(cx + outer, width); i++) {
+      for (int i = first(cx - outer, left, right); i <= last(cx + outer, right); i++) {
         double off = Math.abs(distance(i - cx, j - cy) - r);
         mix(j * width + i, Math.min(most, lineWidth / 2 + 0.5 - off));
       }
@@ -181,14 +193,14 @@ final class RasterPen implements Pen {
 
   @Override
   public void rectangle(double x, double y, double w, double h) {
-    double left = device(x);
+    double west = device(x);
     double upper = device(y);
-    double right = left + w * scale;
+    double east = west + w * scale;
     double lower = upper + h * scale;
     for (int j = first(upper, top, bottom); j <= last(lower, bottom); j++) {
       double rows = Math.min(j + 0.5, lower) - Math.max(j - 0.5, upper);
-      for (int i = first(left, 0, width); i <= last(right, width); i++) {
-        double columns = Math.min(i + 0.5, right) - Math.max(i - 0.5, left);
+      for (int i = first(west, left, right); i <= last(east, right); i++) {
+        double columns = Math.min(i + 0.5, east) - Math.max(i - 0.5, west);
         mix(j * width + i, rows * columns);
       }
     }

@@ -10,6 +10,7 @@ import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
+import dct.core.triangulate.MovedSite;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import java.util.ArrayList;
@@ -51,6 +52,7 @@ public final class Scene {
   private final int[] unmet; // the vertices that do not have the parity wished
   private final Labels labels;
   private final ParityGoal wishes; // null if every vertex is wished even
+  private final ScenePatch patch; // over the index
 
   /** A scene in which nothing is said of wishes. */
   private Scene(
@@ -71,21 +73,34 @@ public final class Scene {
     this.unmet = new int[0];
     this.labels = Labels.NONE;
     this.wishes = null;
+    this.patch = ScenePatch.NONE;
   }
 
   /** The same with other marks at the vertices. */
   private Scene(Scene scene, List<String> counts, int[] unmet, Labels labels, ParityGoal wishes) {
+    this(scene, scene.bounds, counts, unmet, labels, wishes, scene.patch);
+  }
+
+  private Scene(
+      Scene scene,
+      Optional<Box> bounds,
+      List<String> counts,
+      int[] unmet,
+      Labels labels,
+      ParityGoal wishes,
+      ScenePatch patch) {
     this.points = scene.points;
     this.polygon = scene.polygon;
     this.layers = scene.layers;
     this.degrees = scene.degrees;
     this.counts = List.copyOf(counts);
     this.defects = scene.defects;
-    this.bounds = scene.bounds;
+    this.bounds = bounds;
     this.index = scene.index;
     this.unmet = unmet;
     this.labels = labels;
     this.wishes = wishes;
+    this.patch = patch;
   }
 
   /** A triangulation and its counts. */
@@ -177,6 +192,27 @@ public final class Scene {
     return new Scene(points, true, layers, null, List.of(), defects);
   }
 
+  /**
+   * This scene of a Delaunay triangulation, in which nothing has moved, with one of the sites
+   * elsewhere: in time for what is different, or in linear time if the site was an outermost one.
+   */
+  public Scene moved(MovedSite moved) {
+    if (moved.isBack()) {
+      return this;
+    }
+    ScenePatch other = new ScenePatch(moved, index(), edge -> BACK_TO_FRONT.indexOf(edge.kind()));
+    int odd = index().oddCount() + other.moreOdd();
+    int all = points.size() - (moved.merged() ? 1 : 0);
+    List<String> words = List.of(words(new DegreeCount(all - odd, odd)));
+    return new Scene(this, bounds.map(box -> box(box, moved)), words, unmet, labels, wishes, other);
+  }
+
+  private Box box(Box before, MovedSite moved) {
+    int v = moved.site();
+    Box others = before.isOnBorder(points.x(v), points.y(v)) ? Box.ofOthers(points, v) : before;
+    return others.around(moved.x(), moved.y());
+  }
+
   /** This scene with other labels. */
   public Scene withLabels(Labels wished) {
     return new Scene(this, counts, unmet, wished, wishes);
@@ -198,6 +234,9 @@ public final class Scene {
   }
 
   private List<String> plainCounts() {
+    if (patch.moved().isPresent()) {
+      return counts; // plain ones already
+    }
     int odd = 0;
     for (int degree : degrees) {
       odd += degree & 1;
@@ -205,9 +244,24 @@ public final class Scene {
     return List.of(words(new DegreeCount(degrees.length - odd, odd)));
   }
 
-  /** The vertices. */
+  /** The vertices; all of them are copied if one has moved. */
   public Points points() {
-    return points;
+    return patch.applied(points);
+  }
+
+  /** The number of vertices. */
+  public int size() {
+    return points.size();
+  }
+
+  /** The x-coordinate of vertex v. */
+  double x(int v) {
+    return patch.isMoved(v) ? patch.moved().orElseThrow().x() : points.x(v);
+  }
+
+  /** The y-coordinate of vertex v. */
+  double y(int v) {
+    return patch.isMoved(v) ? patch.moved().orElseThrow().y() : points.y(v);
   }
 
   /** Whether the points, in their order, are the corners of a polygon. */
@@ -235,12 +289,17 @@ public final class Scene {
     if (degrees == null) {
       return Ink.VERTEX;
     }
-    return (degrees[v] & 1) == 0 ? Ink.EVEN : Ink.ODD;
+    return (degree(v) & 1) == 0 ? Ink.EVEN : Ink.ODD;
+  }
+
+  private int degree(int v) {
+    return patch.degree(v, degrees[v]);
   }
 
   /** The number of edges. */
   public int edgeCount() {
-    return layers.stream().mapToInt(EdgeLayer::size).sum();
+    int more = patch.moved().map(move -> move.added().size() - move.removed().size()).orElse(0);
+    return more + layers.stream().mapToInt(EdgeLayer::size).sum();
   }
 
   /** Looks at edges. */
@@ -260,21 +319,43 @@ public final class Scene {
    */
   public void visitNear(Viewport view, double x, double y, EdgeVisitor visitor) {
     double within = Double.POSITIVE_INFINITY;
-    for (IndexedEdges edges : index().layers()) {
+    List<IndexedEdges> indexed = index().layers();
+    for (int layer = 0; layer < indexed.size(); layer++) {
+      IndexedEdges edges = indexed.get(layer);
+      Few hidden = patch.hidden(layer);
       Blocks blocks = edges.blocks();
       for (int block = 0; block < blocks.count(); block++) {
         if (blocks.distance(block, view, x, y) <= within) {
           for (int k = blocks.first(block); k < blocks.end(block); k++) {
-            within = visitor.visit(index().vertex(edges.from(k)), index().vertex(edges.to(k)));
+            if (!hidden.holds(k)) {
+              within = visitor.visit(index().vertex(edges.from(k)), index().vertex(edges.to(k)));
+            }
           }
         }
       }
     }
+    patch.moved().ifPresent(m -> m.added().forEach(e -> visitor.visit(e.from(), e.to())));
   }
 
   /** The vertices and edges by place. */
   SceneIndex index() {
     return index.get();
+  }
+
+  /** Whether the other scene shows the same but for where one site is, and neither has labels. */
+  boolean isLike(Scene other) {
+    boolean sameSite =
+        patch.site() < 0 || other.patch.site() < 0 || patch.site() == other.patch.site();
+    return index == other.index
+        && sameSite
+        && unmet == other.unmet
+        && !hasLabels()
+        && !other.hasLabels();
+  }
+
+  /** What is otherwise than the index says. */
+  ScenePatch patch() {
+    return patch;
   }
 
   /** Whether the degrees are known. */
@@ -299,12 +380,15 @@ public final class Scene {
 
   /** What is written beside vertex v; empty if nothing is. */
   String label(int v) {
+    if (patch.isMoved(v) && !patch.isArrived()) {
+      return "";
+    }
     List<String> words = new ArrayList<>();
     if (labels.numbers()) {
       words.add("v" + v);
     }
     if (labels.degrees() && degrees != null) {
-      words.add(Integer.toString(degrees[v]));
+      words.add(Integer.toString(degree(v)));
     }
     if (wishes != null && wishes.wish(v) != Wish.EVEN) {
       words.add(wishes.wish(v).name().toLowerCase(Locale.ROOT));

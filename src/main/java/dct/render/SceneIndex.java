@@ -12,23 +12,35 @@ import java.util.List;
  */
 final class SceneIndex {
   private final int[] vertices; // their numbers, along the curve
+  private final int[] places; // along the curve, by vertex
   private final boolean[] odd; // along the curve; null while nothing is triangulated
+  private final int oddCount;
   private final double[] x; // along the curve
   private final double[] y;
   private final Blocks blocks;
   private final List<IndexedEdges> layers;
 
   private SceneIndex(
-      int[] vertices, boolean[] odd, double[] x, double[] y, List<IndexedEdges> layers) {
+      int[] vertices,
+      int[] places,
+      boolean[] odd,
+      double[] x,
+      double[] y,
+      List<IndexedEdges> layers) {
     this.vertices = vertices;
+    this.places = places;
     this.odd = odd;
     this.x = x;
     this.y = y;
     this.layers = layers;
     blocks = new Blocks(vertices.length);
+    int odds = 0;
     for (int place = 0; place < vertices.length; place++) {
+      odds += isOdd(place) ? 1 : 0;
       blocks.include(place, x[place], y[place]);
     }
+    blocks.close();
+    oddCount = odds;
   }
 
   /**
@@ -48,7 +60,7 @@ final class SceneIndex {
     }
     List<IndexedEdges> sorted =
         layers.stream().map(layer -> new IndexedEdges(layer, places, x, y)).toList();
-    return new SceneIndex(vertices, odd(vertices, degrees), x, y, sorted);
+    return new SceneIndex(vertices, places, odd(vertices, degrees), x, y, sorted);
   }
 
   private static boolean[] odd(int[] vertices, int[] degrees) {
@@ -78,6 +90,21 @@ final class SceneIndex {
       return Ink.VERTEX;
     }
     return odd[place] ? Ink.ODD : Ink.EVEN;
+  }
+
+  /** Whether the vertex at a place has odd degree; false while nothing is triangulated. */
+  boolean isOdd(int place) {
+    return odd != null && odd[place];
+  }
+
+  /** How many vertices have odd degree. */
+  int oddCount() {
+    return oddCount;
+  }
+
+  /** The place of vertex v along the curve. */
+  int place(int v) {
+    return places[v];
   }
 
   /** The number of the vertex at a place along the curve. */

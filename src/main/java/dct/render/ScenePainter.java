@@ -2,8 +2,10 @@ package dct.render;
 
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
+import dct.core.triangulate.MovedSite;
 import dct.render.Pen.Anchor;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 
 /**
@@ -31,6 +33,8 @@ public final class ScenePainter {
   private final Box clip;
   private final Pen pen;
   private final double dot;
+  private final ScenePatch patch;
+  private Ink style; // that the pen has been given last, for vertices; null before the first
 
   private ScenePainter(Scene scene, Viewport view, Box screen, Pen pen) {
     this.scene = scene;
@@ -39,6 +43,7 @@ public final class ScenePainter {
     this.clip = screen.grown(REACH);
     this.pen = pen;
     this.dot = dotRadius(scene, view);
+    this.patch = scene.patch();
   }
 
   /**
@@ -63,6 +68,32 @@ public final class ScenePainter {
     painter.vertices();
     painter.unmet();
     painter.defects();
+  }
+
+  /** About how many vertices there are to draw in these parts of the screen, those twice in two. */
+  static long vertices(Scene scene, Viewport view, List<Box> parts) {
+    Blocks blocks = scene.index().blocks();
+    long count = 0;
+    for (Box part : parts) {
+      Box clip = part.grown(REACH);
+      int block = blocks.next(0, view, clip);
+      for (; block < blocks.count(); block = blocks.next(block + 1, view, clip)) {
+        count += blocks.end(block) - blocks.first(block);
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Draws of a scene in which a site has moved this site and the edges that are new: what can be
+   * seen of the move before the picture is drawn anew.
+   */
+  public static void paintMoved(Scene scene, Viewport view, Box screen, Pen pen) {
+    ScenePainter painter = new ScenePainter(scene, view, screen, pen);
+    for (int layer = 0; layer < painter.index.layers().size(); layer++) {
+      painter.added(layer);
+    }
+    painter.arrived(EnumSet.allOf(Ink.class));
   }
 
   /** Writes what there is to write beside the vertices. */
@@ -97,10 +128,10 @@ public final class ScenePainter {
         .map(
             box -> {
               double area = 4 * box.halfWidth() * view.scale() * box.halfHeight() * view.scale();
-              double spacing = Math.sqrt(area / scene.points().size());
+              double spacing = Math.sqrt(area / scene.size());
               // Outlines and vertices on a line fill no area; their length counts as well.
               double length = 2 * Math.max(box.halfWidth(), box.halfHeight()) * view.scale();
-              double room = Math.max(spacing, length / scene.points().size());
+              double room = Math.max(spacing, length / scene.size());
               return Math.max(SMALLEST_DOT, Math.min(LARGEST_DOT, room / 5));
             })
         .orElse(LARGEST_DOT);
@@ -117,33 +148,58 @@ public final class ScenePainter {
   }
 
   private void edges() {
-    double thinner = Math.min(1, Math.max(0.4, dot / 2));
-    for (IndexedEdges edges : index.layers()) {
+    for (int layer = 0; layer < index.layers().size(); layer++) {
+      IndexedEdges edges = index.layers().get(layer);
       if (edges.blocks().count() > 0) {
-        Stroke stroke = edges.stroke();
-        pen.style(new Stroke(stroke.ink(), stroke.width() * thinner, stroke.dashed()));
-        edges(edges);
+        style(edges.stroke());
+        edges(edges, patch.hidden(layer));
       }
+      added(layer);
     }
   }
 
-  private void edges(IndexedEdges edges) {
+  private void style(Stroke stroke) {
+    double thinner = Math.min(1, Math.max(0.4, dot / 2));
+    pen.style(new Stroke(stroke.ink(), stroke.width() * thinner, stroke.dashed()));
+  }
+
+  /** Draws the edges of a layer that are not in the index. */
+  private void added(int layer) {
+    List<MovedSite.Edge> added = patch.added(layer);
+    if (!added.isEmpty()) {
+      style(index.layers().get(layer).stroke());
+    }
+    for (MovedSite.Edge edge : added) {
+      int u = edge.from();
+      int v = edge.to();
+      edge(scene.x(u), scene.y(u), scene.x(v), scene.y(v));
+    }
+  }
+
+  private void edges(IndexedEdges edges, Few hidden) {
     Blocks blocks = edges.blocks();
-    for (int block = 0; block < blocks.count(); block++) {
-      boolean seen = edges.longest(block) * view.scale() > HIDDEN * dot;
-      if (seen && blocks.mayMeet(block, view, clip)) {
-        for (int k = blocks.first(block); k < blocks.end(block); k++) {
-          edge(edges.from(k), edges.to(k));
+    int block = blocks.next(0, view, clip);
+    for (; block < blocks.count(); block = blocks.next(block + 1, view, clip)) {
+      if (edges.longest(block) * view.scale() > HIDDEN * dot) {
+        int first = blocks.first(block);
+        int end = blocks.end(block);
+        boolean all = !hidden.meets(first, end);
+        for (int k = first; k < end; k++) {
+          if (all || !hidden.holds(k)) {
+            int a = edges.from(k);
+            int b = edges.to(k);
+            edge(index.x(a), index.y(a), index.x(b), index.y(b));
+          }
         }
       }
     }
   }
 
-  private void edge(int a, int b) {
-    double ax = view.screenX(index.x(a));
-    double ay = view.screenY(index.y(a));
-    double bx = view.screenX(index.x(b));
-    double by = view.screenY(index.y(b));
+  private void edge(double fromX, double fromY, double toX, double toY) {
+    double ax = view.screenX(fromX);
+    double ay = view.screenY(fromY);
+    double bx = view.screenX(toX);
+    double by = view.screenY(toY);
     double square = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
     if (square > HIDDEN * dot * HIDDEN * dot && clip.mayMeet(ax, ay, bx, by)) {
       pen.line(ax, ay, bx, by);
@@ -167,20 +223,38 @@ public final class ScenePainter {
 
   private void vertices(Set<Ink> inks) {
     Blocks blocks = index.blocks();
-    Ink last = null;
-    for (int block = 0; block < blocks.count(); block++) {
-      if (blocks.mayMeet(block, view, clip)) {
-        for (int place = blocks.first(block); place < blocks.end(block); place++) {
-          Ink ink = index.ink(place);
-          if (inks.contains(ink)) {
-            if (ink != last) {
-              pen.style(Stroke.fill(ink));
-              last = ink;
-            }
-            vertex(ink, view.screenX(index.x(place)), view.screenY(index.y(place)));
-          }
+    style = null;
+    int block = blocks.next(0, view, clip);
+    for (; block < blocks.count(); block = blocks.next(block + 1, view, clip)) {
+      int first = blocks.first(block);
+      int end = blocks.end(block);
+      boolean asIndexed = !patch.meets(first, end);
+      for (int place = first; place < end; place++) {
+        if (asIndexed) {
+          vertex(inks, index.ink(place), index.x(place), index.y(place));
+        } else if (!patch.isLeft(place)) {
+          vertex(inks, scene.ink(index.vertex(place)), index.x(place), index.y(place));
         }
       }
+    }
+    arrived(inks);
+  }
+
+  /** Draws the site that has moved. */
+  private void arrived(Set<Ink> inks) {
+    if (patch.isArrived()) {
+      int v = patch.site();
+      vertex(inks, scene.ink(v), scene.x(v), scene.y(v));
+    }
+  }
+
+  private void vertex(Set<Ink> inks, Ink ink, double x, double y) {
+    if (inks.contains(ink)) {
+      if (ink != style) {
+        pen.style(Stroke.fill(ink));
+        style = ink;
+      }
+      vertex(ink, view.screenX(x), view.screenY(y));
     }
   }
 
@@ -200,7 +274,7 @@ public final class ScenePainter {
       pen.style(Stroke.solid(Ink.UNMET, UNMET_WIDTH));
     }
     for (int v : scene.unmet()) {
-      ring(view.screenX(scene.points().x(v)), view.screenY(scene.points().y(v)), dot + UNMET_GAP);
+      ring(view.screenX(scene.x(v)), view.screenY(scene.y(v)), dot + UNMET_GAP);
     }
   }
 

@@ -2,12 +2,16 @@ package dct.render;
 
 import dct.core.Progress;
 import dct.core.geometry.Box;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.stream.IntStream;
 
 /** Draws scenes into pixels, the rows of large ones shared out among the cores. */
 public final class SceneRaster {
   private static final int SMALL = 2_000; // vertices; fewer are drawn before another core wakes up
+
+  private static final int MOST_AT_ONCE = 50_000; // vertices, drawn in ten milliseconds
 
   private SceneRaster() {}
 
@@ -34,6 +38,53 @@ public final class SceneRaster {
     RasterPen whole = new RasterPen(image, 0, image.getHeight(), scale, theme);
     Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
     ScenePainter.paintLabels(scene, view, screen, new ProgressPen(whole, progress));
+  }
+
+  /**
+   * Turns the picture of a scene into that of another, which is the same but for where one site is,
+   * by drawing anew where they look different; if that can be done within a frame of the screen.
+   *
+   * @param image the picture that {@link #draw} made of {@code before} with the same view, theme
+   *     and scale
+   * @return whether it is that of {@code now} now; if not, it is as it was
+   */
+  public static boolean redraw(
+      Scene before, Scene now, Viewport view, Theme theme, double scale, BufferedImage image) {
+    if (!now.isLike(before)
+        || ScenePainter.dotRadius(before, view) != ScenePainter.dotRadius(now, view)) {
+      return false;
+    }
+    Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
+    List<Box> boxes = SceneDifference.between(before, now, view, screen);
+    if (ScenePainter.vertices(now, view, boxes) > MOST_AT_ONCE) {
+      return false;
+    }
+    for (Box box : boxes) {
+      Rectangle part = pixels(box, scale).intersection(image.getRaster().getBounds());
+      if (!part.isEmpty()) {
+        RasterPen pen = new RasterPen(image, part, scale, theme);
+        pen.ground();
+        ScenePainter.paintShapes(now, view, screen(part, scale), pen);
+      }
+    }
+    return true;
+  }
+
+  /** All pixels of the image of which a box holds a part. */
+  private static Rectangle pixels(Box box, double scale) {
+    int left = (int) Math.floor(box.minX() * scale);
+    int top = (int) Math.floor(box.minY() * scale);
+    int right = (int) Math.ceil((box.maxX() + 1) * scale);
+    int bottom = (int) Math.ceil((box.maxY() + 1) * scale);
+    return new Rectangle(left, top, right - left, bottom - top);
+  }
+
+  private static Box screen(Rectangle part, double scale) {
+    return new Box(
+        part.x / scale,
+        part.y / scale,
+        (part.x + part.width) / scale,
+        (part.y + part.height) / scale);
   }
 
   private static void drawRows(

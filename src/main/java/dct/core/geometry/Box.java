@@ -19,17 +19,42 @@ public record Box(double minX, double minY, double maxX, double maxY) {
     if (points.size() == 0) {
       throw new IllegalArgumentException("no points");
     }
-    double minX = points.x(0);
-    double maxX = minX;
-    double minY = points.y(0);
-    double maxY = minY;
-    for (int i = 1; i < points.size(); i++) {
-      minX = Math.min(minX, points.x(i));
-      maxX = Math.max(maxX, points.x(i));
-      minY = Math.min(minY, points.y(i));
-      maxY = Math.max(maxY, points.y(i));
+    Box first = new Box(points.x(0), points.y(0), points.x(0), points.y(0));
+    return first.around(points, 1, points.size());
+  }
+
+  /**
+   * The smallest box round all of these points but one, in linear time.
+   *
+   * @throws IllegalArgumentException if there are no others
+   */
+  public static Box ofOthers(Points points, int without) {
+    if (points.size() < 2) {
+      throw new IllegalArgumentException("no other points");
     }
-    return new Box(minX, minY, maxX, maxY);
+    int other = without == 0 ? 1 : 0;
+    Box first = new Box(points.x(other), points.y(other), points.x(other), points.y(other));
+    return first.around(points, 0, without).around(points, without + 1, points.size());
+  }
+
+  /** The smallest box round this one and the points first … end − 1. */
+  private Box around(Points points, int first, int end) {
+    double left = minX;
+    double right = maxX;
+    double low = minY;
+    double high = maxY;
+    for (int i = first; i < end; i++) {
+      left = Math.min(left, points.x(i));
+      right = Math.max(right, points.x(i));
+      low = Math.min(low, points.y(i));
+      high = Math.max(high, points.y(i));
+    }
+    return new Box(left, low, right, high);
+  }
+
+  /** The smallest box round this one and a point. */
+  public Box around(double x, double y) {
+    return new Box(Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y));
   }
 
   /** Half the width; unlike the width it cannot overflow. */
@@ -63,6 +88,11 @@ public record Box(double minX, double minY, double maxX, double maxY) {
   /** Whether this box holds the point, its border included. */
   public boolean holds(double x, double y) {
     return x >= minX && x <= maxX && y >= minY && y <= maxY;
+  }
+
+  /** Whether a point of this box is on one of its sides. */
+  public boolean isOnBorder(double x, double y) {
+    return x == minX || x == maxX || y == minY || y == maxY;
   }
 
   /** Whether the other box lies in this one and is not small in it: a quarter of a side or more. */

@@ -81,7 +81,7 @@ public final class MovingSite {
 
   /** What the hole and the conflict together come to. */
   private final class Difference {
-    private final List<Integer> removed = new ArrayList<>();
+    private final List<MovedSite.Edge> removed = new ArrayList<>();
     private final List<MovedSite.Edge> added = new ArrayList<>();
     private final Map<Integer, Integer> degrees = new TreeMap<>();
     private final Map<Integer, EdgeKind> kinds =
@@ -144,12 +144,12 @@ public final class MovingSite {
     }
 
     private void remove(int edge) {
-      removed.add(edge);
+      removed.add(MovedSite.Edge.of(start.from(edge), start.to(edge), start.kind(edge)));
       count(start.from(edge), start.to(edge), -1);
     }
 
     private void add(int from, int to, EdgeKind kind) {
-      added.add(new MovedSite.Edge(from, to, kind));
+      added.add(MovedSite.Edge.of(from, to, kind));
       count(from, to, 1);
     }
 

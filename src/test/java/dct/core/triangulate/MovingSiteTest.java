@@ -164,9 +164,10 @@ class MovingSiteTest {
   private static Set<String> edges(Triangulation start, MovedSite moved) {
     Set<String> edges = new HashSet<>();
     for (int edge = 0; edge < start.edgeCount(); edge++) {
-      if (!moved.removed().contains(edge)) {
-        edges.add(edge(start.from(edge), start.to(edge), start.kind(edge)));
-      }
+      edges.add(edge(start.from(edge), start.to(edge), start.kind(edge)));
+    }
+    for (MovedSite.Edge edge : moved.removed()) {
+      assertThat(edges.remove(edge(edge.from(), edge.to(), edge.kind()))).isTrue();
     }
     for (MovedSite.Edge edge : moved.added()) {
       assertThat(edges.add(edge(edge.from(), edge.to(), edge.kind()))).isTrue();
