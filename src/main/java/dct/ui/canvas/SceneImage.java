@@ -13,8 +13,9 @@ import javax.swing.SwingUtilities;
 
 /**
  * The picture of a scene, drawn once and kept until something about it changes, so that overlays
- * cost nothing. Large scenes are drawn in the background: until the picture is there, that of the
- * view before stands in for it, moved and scaled. Lives on the event thread.
+ * cost nothing. Where one site has moved, it is drawn anew only where that shows. Large scenes are
+ * drawn in the background: until the picture is there, that of the view before stands in for it,
+ * moved and scaled. Lives on the event thread.
  */
 final class SceneImage {
   /** Scenes of so many vertices are drawn within a frame of the screen, and so at once. */
@@ -54,6 +55,9 @@ final class SceneImage {
 
   /** Draws the view over these graphics, in the resolution of their screen. */
   void paint(Graphics2D graphics, View view) {
+    if (drawn != null && !view.equals(drawn) && view.redraw(image, drawn)) {
+      drawn = view;
+    }
     if (!view.equals(drawn) && !drawing) {
       draw(view);
     }
@@ -65,13 +69,14 @@ final class SceneImage {
       graphics.fillRect(0, 0, view.size().width, view.size().height);
       if (drawn != null && view.isLike(drawn)) {
         graphics.drawImage(image, view.over(drawn), null);
+        view.paintMoved(graphics);
       }
     }
   }
 
   private void draw(View view) {
     BufferedImage target = target(view);
-    if (view.scene().points().size() <= AT_ONCE) {
+    if (view.scene().size() <= AT_ONCE) {
       view.draw(target);
       show(view, target);
     } else {

@@ -1,11 +1,15 @@
 package dct.ui.canvas;
 
 import dct.core.Progress;
+import dct.core.geometry.Box;
+import dct.render.GraphicsPen;
 import dct.render.Scene;
+import dct.render.ScenePainter;
 import dct.render.SceneRaster;
 import dct.render.Theme;
 import dct.render.Viewport;
 import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 
@@ -25,6 +29,26 @@ record View(Scene scene, Viewport viewport, Theme theme, Dimension size, double 
     SceneRaster.draw(scene, viewport, theme, pixels, image, Progress.NONE);
   }
 
+  /**
+   * Turns the picture of the other view into that of this one, if they differ only in where one
+   * site of the scene is, and by little.
+   *
+   * @return whether it is the picture of this view now
+   */
+  boolean redraw(BufferedImage image, View other) {
+    return theme == other.theme
+        && pixels == other.pixels
+        && size.equals(other.size)
+        && viewport.equals(other.viewport)
+        && SceneRaster.redraw(other.scene, scene, viewport, theme, pixels, image);
+  }
+
+  /** Draws what can be seen of the move of a site over an older picture. */
+  void paintMoved(Graphics2D graphics) {
+    Box screen = new Box(0, 0, size.width, size.height);
+    ScenePainter.paintMoved(scene, viewport, screen, new GraphicsPen(graphics, theme));
+  }
+
   /** The width of the picture on the screen. */
   int width() {
     return Math.max(1, (int) Math.ceil(size.width * pixels));
@@ -37,7 +61,7 @@ record View(Scene scene, Viewport viewport, Theme theme, Dimension size, double 
 
   /** Whether the picture of the other view, moved and scaled, tells what this one will show. */
   boolean isLike(View other) {
-    return Math.abs(scene.points().size() - other.scene.points().size()) <= 1
+    return Math.abs(scene.size() - other.scene.size()) <= 1
         && theme == other.theme
         && viewport.yUp() == other.viewport.yUp();
   }

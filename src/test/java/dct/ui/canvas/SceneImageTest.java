@@ -2,10 +2,16 @@ package dct.ui.canvas;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.MovingSite;
+import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
 import dct.render.Ink;
 import dct.render.Scene;
+import dct.render.ScenePainter;
 import dct.render.Theme;
 import dct.render.Viewport;
 import java.awt.Dimension;
@@ -13,6 +19,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
@@ -89,6 +96,74 @@ class SceneImageTest {
   void anotherSceneIsNotShownInPlaceOfALargeOne() throws Exception {
     painted(view(Scene.sites(Points.ofPairs(150, 100)), Viewport.IDENTITY));
     assertThat(rgb(painted(view(large(), Viewport.IDENTITY)), 150, 100)).isEqualTo(GROUND);
+  }
+
+  /** Sites on the canvas, one of them at (150, 100), so many that they are not drawn at once. */
+  private static Triangulation sites() {
+    Points crowd = RandomSites.uniform(SceneImage.AT_ONCE, 3).inserted(0, 150.5, 100.5);
+    return Delaunay.triangulate(Sites.of(crowd, Progress.NONE), Progress.NONE);
+  }
+
+  @Test
+  void whereASiteHasMovedThePictureIsRightAtOnce() throws Exception {
+    Triangulation sites = sites();
+    Scene scene = Scene.of(sites);
+    Viewport near = Viewport.IDENTITY.zoomed(6, 150, 100);
+    painted(view(scene, near));
+    drawInBackground();
+    MovingSite moving = MovingSite.of(sites, 0).orElseThrow();
+    for (int x = 151; x < 160; x++) {
+      View moved = view(scene.moved(moving.to(x, 103)), near);
+      assertSamePicture(painted(moved), moved);
+    }
+    View back = view(scene, near);
+    assertSamePicture(painted(back), back);
+    assertThat(background).as("nothing is left to draw").isEmpty();
+  }
+
+  @Test
+  void aMoveDuringADrawingIsThereWhenThatEnds() throws Exception {
+    Triangulation sites = sites();
+    Scene scene = Scene.of(sites);
+    Viewport near = Viewport.IDENTITY.zoomed(6, 150, 100);
+    painted(view(scene, near));
+    MovingSite moving = MovingSite.of(sites, 0).orElseThrow();
+    View moved = view(scene.moved(moving.to(153, 103)), near);
+    painted(moved);
+    drawInBackground();
+    assertSamePicture(painted(moved), moved);
+    assertThat(background).as("nothing is left to draw").isEmpty();
+  }
+
+  @Test
+  void aLargeChangeIsDrawnInTheBackgroundButItsEdgesAreThereAtOnce() throws Exception {
+    Triangulation sites =
+        Delaunay.triangulate(
+            Sites.of(RandomSites.uniform(60_000, 3), Progress.NONE), Progress.NONE);
+    Scene scene = Scene.of(sites);
+    Viewport all = ScenePainter.fitted(scene, SIZE.width, SIZE.height, false);
+    painted(view(scene, all));
+    drawInBackground();
+    BufferedImage before = painted(view(scene, all));
+    MovingSite moving = MovingSite.of(sites, 0).orElseThrow();
+    View far = view(scene.moved(moving.to(-1e5, -1e5)), all);
+    BufferedImage at = painted(far);
+    assertThat(background).hasSize(1);
+    assertThat(IntStream.range(0, SIZE.width).filter(x -> rgb(at, x, 5) != rgb(before, x, 5)))
+        .as("pixels of the edges to the site outside")
+        .isNotEmpty();
+    drawInBackground();
+    assertSamePicture(painted(far), far);
+  }
+
+  private static void assertSamePicture(BufferedImage image, View view) {
+    BufferedImage whole = new BufferedImage(SIZE.width, SIZE.height, BufferedImage.TYPE_INT_RGB);
+    view.draw(whole);
+    for (int y = 0; y < SIZE.height; y++) {
+      for (int x = 0; x < SIZE.width; x++) {
+        assertThat(rgb(image, x, y)).as("(%d, %d)", x, y).isEqualTo(rgb(whole, x, y));
+      }
+    }
   }
 
   private void drawInBackground() throws Exception {
