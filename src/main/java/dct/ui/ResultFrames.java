@@ -5,6 +5,7 @@ import dct.render.Labels;
 import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
+import dct.ui.result.ResultView;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -62,7 +63,7 @@ final class ResultFrames {
 
   private void refresh(int view, ResultFrame frame, Optional<Result> result) {
     if (result.isPresent()) {
-      frame.show(result.get());
+      frame.view().show(result.get());
       if (undone.remove(view)) {
         frame.setVisible(true);
       }
@@ -87,8 +88,9 @@ final class ResultFrames {
   }
 
   private ResultFrame show(Result result, String name, Optional<ResultFrame> beside) {
-    ResultFrame frame =
-        new ResultFrame(result.title(), name, result.scene(), labels.get(), workbench.jobs());
+    ResultView view = new ResultView(result, name, labels.get());
+    ResultCommands.offer(view, workbench.jobs());
+    ResultFrame frame = new ResultFrame(view);
     JFrame other = beside.isPresent() ? beside.get() : owner;
     Placement.beside(frame, other, owner, all.size());
     all.add(frame);

@@ -5,6 +5,7 @@ import dct.experiment.study.StudyPicture;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandRegistry;
 import dct.ui.job.Jobs;
+import dct.ui.result.ResultView;
 import dct.ui.study.StudyDialog;
 import dct.ui.study.StudyHost;
 import dct.ui.study.StudyKind;
@@ -58,8 +59,9 @@ final class StudyWork implements StudyHost {
   public void show(Component over, String name, List<StudyPicture> pictures) {
     Window beside = owner;
     for (StudyPicture picture : pictures) {
-      ResultFrame frame =
-          new ResultFrame(picture.method(), name, picture.scene(), canvas.labels(), jobs);
+      ResultView view = new ResultView(picture.method(), name, picture.scene(), canvas.labels());
+      ResultCommands.offer(view, jobs);
+      ResultFrame frame = new ResultFrame(view);
       Placement.beside(frame, beside, owner, frames.size());
       frames.add(frame);
       frame.setVisible(true);

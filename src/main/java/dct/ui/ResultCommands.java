@@ -1,0 +1,26 @@
+package dct.ui;
+
+import dct.ui.job.Jobs;
+import dct.ui.result.ResultView;
+
+/** The commands of a view of a result. */
+final class ResultCommands {
+
+  private ResultCommands() {}
+
+  /**
+   * Offers the commands of a view.
+   *
+   * @param jobs write pictures in the background
+   */
+  static void offer(ResultView view, Jobs jobs) {
+    view.commands()
+        .add(
+            "Export Picture",
+            "ctrl E",
+            FileCommands.pictures(),
+            () -> PictureExport.ask(view, view.canvas(), view.document(), jobs, done -> {}));
+    view.commands().add("Close", "ctrl W", "Closes this view", view::close);
+    ViewCommands.offer(view.commands(), view.canvas());
+  }
+}

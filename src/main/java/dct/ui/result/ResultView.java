@@ -1,0 +1,147 @@
+package dct.ui.result;
+
+import dct.render.Labels;
+import dct.render.Scene;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.command.CommandRegistry;
+import dct.ui.document.Result;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+
+/**
+ * A view of one result: its canvas, what belongs to it, and its commands. Where it is shown, in a
+ * frame of its own or within another window, is for others to say; it may change.
+ */
+public final class ResultView extends JPanel {
+  private static final long serialVersionUID = 1L;
+  private static final Dimension CANVAS = new Dimension(600, 480);
+
+  private final CanvasPanel canvas = new CanvasPanel();
+  private final transient CommandRegistry commands = new CommandRegistry();
+  private final transient List<Runnable> listeners = new ArrayList<>();
+  private transient Runnable whenClosed = () -> {};
+  private final String name; // of what the result is of
+  private String method;
+  private transient Optional<Result> result = Optional.empty();
+
+  /**
+   * A view of a picture that is no result of a document.
+   *
+   * @param method what was done
+   * @param name what it was done to
+   * @param labels what is written beside the vertices at first
+   */
+  public ResultView(String method, String name, Scene scene, Labels labels) {
+    super(new BorderLayout());
+    this.method = method;
+    this.name = name;
+    setName("view");
+    canvas.setPreferredSize(CANVAS);
+    canvas.setLabels(labels);
+    canvas.addComponentListener(new FitAtFirst());
+    add(canvas, BorderLayout.CENTER);
+    show(scene);
+  }
+
+  /**
+   * A view of a result.
+   *
+   * @param name of what the result is of
+   * @param labels what is written beside the vertices at first
+   */
+  public ResultView(Result result, String name, Labels labels) {
+    this(result.title(), name, result.scene(), labels);
+    this.result = Optional.of(result);
+  }
+
+  /** Calls the listener after each change of the result. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Shows a result of the same points, in the same part of the canvas. */
+  public void show(Result other) {
+    if (!result.equals(Optional.of(other))) {
+      result = Optional.of(other);
+      method = other.title();
+      show(other.scene());
+      listeners.forEach(Runnable::run);
+    }
+  }
+
+  private void show(Scene scene) {
+    canvas.setScene(scene);
+    canvas.getAccessibleContext().setAccessibleDescription(String.join("; ", scene.counts()));
+  }
+
+  /** Puts a component below the canvas. */
+  public void addBelow(JComponent component) {
+    add(component, BorderLayout.SOUTH);
+  }
+
+  /** Says who takes the view away when it is closed. */
+  public void whenClosed(Runnable action) {
+    whenClosed = action;
+  }
+
+  /** Closes the view. */
+  public void close() {
+    whenClosed.run();
+  }
+
+  /** What is shown, if it is a result of a document. */
+  public Optional<Result> result() {
+    return result;
+  }
+
+  /** What was done. */
+  public String method() {
+    return method;
+  }
+
+  /** What it was done to. */
+  public String document() {
+    return name;
+  }
+
+  /** What was done to what. */
+  public String title() {
+    return method + " · " + name;
+  }
+
+  /** Its commands; they are bound to keys by who shows it. */
+  public CommandRegistry commands() {
+    return commands;
+  }
+
+  /** The canvas. */
+  public CanvasPanel canvas() {
+    return canvas;
+  }
+
+  /** Fits the scene whenever the size changes, until the user has chosen a part. */
+  private final class FitAtFirst extends ComponentAdapter {
+    private boolean fitting;
+    private boolean chosen;
+
+    FitAtFirst() {
+      canvas.addViewListener(() -> chosen |= !fitting);
+    }
+
+    @Override
+    public void componentResized(ComponentEvent e) {
+      if (!chosen) {
+        fitting = true;
+        canvas.fit();
+        fitting = false;
+      }
+    }
+  }
+}
