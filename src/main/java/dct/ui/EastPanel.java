@@ -2,10 +2,15 @@ package dct.ui;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
+import dct.problem.Solution;
 import dct.ui.command.Command;
 import dct.ui.command.CommandRegistry;
+import dct.ui.document.Document;
 import dct.ui.document.Editor;
+import dct.ui.document.Result;
 import dct.ui.tool.Tool;
+import dct.ui.vertices.VertexList;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -13,6 +18,7 @@ import java.awt.GridLayout;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
@@ -48,6 +54,7 @@ final class EastPanel extends JPanel {
   private final transient Workbench workbench;
   private final Map<Domain, JComponent> buttons = new EnumMap<>(Domain.class);
   private final CoordinateList coordinates = new CoordinateList();
+  private final VertexList vertices;
   private final JTabbedPane tabs = new JTabbedPane();
   private JComponent toolBoxes;
 
@@ -55,6 +62,7 @@ final class EastPanel extends JPanel {
   EastPanel(Workbench workbench, CommandRegistry commands) {
     super(new BorderLayout(0, 12));
     this.workbench = workbench;
+    vertices = new VertexList(workbench);
     setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
     setPreferredSize(new Dimension(WIDTH, 0));
     JPanel top = new JPanel();
@@ -116,7 +124,8 @@ final class EastPanel extends JPanel {
 
   private JComponent bottom() {
     tabs.setName("tabs");
-    tabs.addTab("Coordinates", coordinates);
+    tabs.addTab("Coordinates", null, coordinates, "The coordinates as text");
+    tabs.addTab("Vertices", null, vertices, "A table of the vertices, which can be edited");
     return tabs;
   }
 
@@ -126,6 +135,22 @@ final class EastPanel extends JPanel {
     buttons.forEach(
         (domain, column) ->
             column.setVisible(workbench.domain().filter(domain::equals).isPresent()));
-    workbench.active().map(Editor::visible).ifPresent(d -> coordinates.show(d.points()));
+    workbench.active().ifPresent(this::show);
+  }
+
+  private void show(Editor editor) {
+    Document document = editor.visible();
+    coordinates.show(document.points());
+    vertices.show(document, triangulation(editor));
+  }
+
+  /** The triangulation that was made last, or that of the sites. */
+  private static Optional<Triangulation> triangulation(Editor editor) {
+    return editor
+        .visible()
+        .result()
+        .map(Result::solution)
+        .or(() -> editor.shown().solution())
+        .map(Solution::triangulation);
   }
 }

@@ -1,5 +1,6 @@
 package dct.ui.command;
 
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -10,7 +11,9 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
+import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 
 /** Something that a menu, a button or a key can do. */
@@ -153,7 +156,16 @@ public final class Command extends AbstractAction {
         && !key.isAltDown()
         && !key.isMetaDown()
         && !key.isActionKey()
-        && key.getComponent() instanceof JTextComponent text
-        && text.isEditable();
+        && takesText(key.getComponent());
+  }
+
+  /** Whether what is typed there becomes text: in a field, or in a cell of a table. */
+  private static boolean takesText(Component component) {
+    if (component instanceof JTextComponent text) {
+      return text.isEditable();
+    }
+    Component around = SwingUtilities.getAncestorOfClass(JTable.class, component);
+    return (component instanceof JTable table && table.isEditing())
+        || (around instanceof JTable other && other.isEditing());
   }
 }
