@@ -46,6 +46,34 @@ public final class BoundaryColouring {
     return cost[0];
   }
 
+  /**
+   * A way to let the colour change or not at each boundary vertex that misses {@link #leastUnmet}
+   * wishes.
+   *
+   * @param wish the wish of the k-th vertex along the boundary
+   */
+  static boolean[] cheapest(int h, IntFunction<Wish> wish) {
+    int[][] cost = new int[h + 1][];
+    cost[0] = new int[STATES];
+    Arrays.fill(cost[0], UNREACHED);
+    cost[0][0] = 0;
+    for (int k = 0; k < h; k++) {
+      cost[k + 1] = step(cost[k], wish.apply(k));
+    }
+    boolean[] changes = new boolean[h];
+    int state = 0;
+    for (int k = h - 1; k >= 0; k--) {
+      int before = 0; // twice the state before, plus 1 where the colour changes
+      while (next(before / 2, (before & 1) == 1) != state
+          || cost[k][before / 2] + penalty(wish.apply(k), before & 1) != cost[k + 1][state]) {
+        before++;
+      }
+      changes[k] = (before & 1) == 1;
+      state = before / 2;
+    }
+    return changes;
+  }
+
   private static int[] step(int[] cost, Wish wish) {
     int[] after = new int[STATES];
     Arrays.fill(after, UNREACHED);

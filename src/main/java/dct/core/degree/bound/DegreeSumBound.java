@@ -3,6 +3,8 @@ package dct.core.degree.bound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The bound from the sum of the degrees.
@@ -35,6 +37,33 @@ final class DegreeSumBound {
     boolean canHelp = n > 3 && wishedEven > room;
     int value = canHelp ? wishedEven - room - heaviest(weights(ring, goal)) : 0;
     return new LowerBound(value, "degree sum");
+  }
+
+  /** The positions of a heaviest set of corners that may have degree 2. */
+  static List<Integer> cutOff(HullRing ring, ParityGoal goal) {
+    int[] weight = weights(ring, goal);
+    int last = weight.length - 1;
+    boolean withoutLast = onPath(weight, 0, last - 1) >= onPath(weight, 1, last);
+    return withoutLast ? chosen(weight, 0, last - 1) : chosen(weight, 1, last);
+  }
+
+  /** The positions of a heaviest set without neighbours on a path. */
+  private static List<Integer> chosen(int[] weight, int from, int to) {
+    int[] best = new int[to - from + 3]; // of the first k positions, at k + 1
+    for (int k = from; k <= to; k++) {
+      int j = k - from + 2;
+      best[j] = Math.max(best[j - 1], best[j - 2] + weight[k]);
+    }
+    List<Integer> chosen = new ArrayList<>();
+    int k = to;
+    while (k >= from) {
+      boolean isChosen = best[k - from + 2] > best[k - from + 1];
+      if (isChosen) {
+        chosen.add(k);
+      }
+      k -= isChosen ? 2 : 1;
+    }
+    return chosen;
   }
 
   private static int[] weights(HullRing ring, ParityGoal goal) {

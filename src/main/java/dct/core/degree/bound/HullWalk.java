@@ -41,6 +41,11 @@ final class HullWalk {
     cost[layers * apex] = 0;
   }
 
+  /** A copy of the costs by apex and layer, on the present hull edge. */
+  int[] costs() {
+    return cost.clone();
+  }
+
   /** The least cost of a walk that has come back to the state it started in. */
   int costAt(int apex) {
     return cost[layers * apex];

@@ -85,6 +85,45 @@ final class HullWalkBound {
         : Optional.empty();
   }
 
+  /**
+   * The least cost of the closed walks, and one that has it.
+   *
+   * @param cost of the walks that count: the coloured ones where {@code isColoured}
+   * @param plain the least cost of walks that are not coloured
+   * @param plusInside whether a site inside adds one to it
+   * @param route empty if it would take too much memory
+   */
+  record Least(
+      int cost, int plain, boolean isColoured, boolean plusInside, Optional<HullRoute> route) {}
+
+  /**
+   * What the bound of the closed walk rests on.
+   *
+   * @return empty if that is too much to compute
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static Optional<Least> leastWalk(HullRing ring, ParityGoal goal, Progress progress) {
+    HullWalkBound bound = new HullWalkBound(ring, goal, 0, progress);
+    return bound.isCheap(ring.size()) ? bound.fans().flatMap(bound::leastWalk) : Optional.empty();
+  }
+
+  private Optional<Least> leastWalk(EmptyFan[] fans) {
+    Walks walks = new Walks(fans);
+    boolean canColour = BoundaryColouring.areInnerEven(ring, goal);
+    int plain = walks.least(false, -1);
+    int plainApex = walks.bestApex;
+    int coloured = canColour ? walks.least(true, -1) : HullWalk.UNREACHED;
+    boolean isColoured = canColour && (ring.interior() == 0 || coloured <= plain + 1);
+    if (walks.gaveUp()) {
+      return Optional.empty();
+    }
+    int apex = isColoured ? walks.bestApex : plainApex;
+    Optional<HullRoute> route =
+        HullRoute.of(ring, goal, fans, walks.first, apex, isColoured, progress);
+    int cost = isColoured ? coloured : plain;
+    return Optional.of(new Least(cost, plain, isColoured, canColour && !isColoured, route));
+  }
+
   private Optional<EmptyFan[]> fans() {
     EmptyFan[] fans = new EmptyFan[ring.size()];
     int left = MOST_TRIANGLES;
@@ -121,6 +160,7 @@ final class HullWalkBound {
   private final class Walks {
     private final EmptyFan[] fans;
     private int first; // the walk starts on the edge before this position
+    private int bestApex; // of the cheapest walk found last
     private long steps; // triangles and layers walked past
 
     Walks(EmptyFan[] fans) {
@@ -146,7 +186,10 @@ final class HullWalkBound {
       int least = HullWalk.UNREACHED;
       int place = fan.firstPartner(fan.size() - 1);
       while (place < fan.triangles() && handshake.roundUp(least) > enough && !gaveUp()) {
-        least = Math.min(least, closed(walk, fan.site(fan.partner(place))));
+        int apex = fan.site(fan.partner(place));
+        int cost = closed(walk, apex);
+        bestApex = cost < least ? apex : bestApex;
+        least = Math.min(least, cost);
         place++;
       }
       return least;

@@ -48,13 +48,24 @@ final class LatticeBound {
 
   /** Whether the coloured boundary edges have the same sum in each class. */
   private static boolean isBalanced(Lattice lattice, HullRing ring, ParityGoal goal) {
-    int[] sum = new int[4]; // by class
+    int[] sum = sums(lattice, ring, goal);
+    return sum[1] == sum[2] && sum[2] == sum[3];
+  }
+
+  /** Black less white boundary edges of each class, 1 to 3, if all wishes are granted. */
+  static int[] sums(Lattice lattice, HullRing ring, ParityGoal goal) {
+    int[] sum = new int[4];
     int colour = 1;
     for (int k = 0; k < ring.size(); k++) {
       colour = goal.wish(ring.site(k)) == Wish.ODD ? -colour : colour;
-      sum[parities(lattice, ring.site(k)) ^ parities(lattice, ring.site(k + 1))] += colour;
+      sum[edgeClass(lattice, ring, k)] += colour;
     }
-    return sum[1] == sum[2] && sum[2] == sum[3];
+    return sum;
+  }
+
+  /** The class of the boundary edge after position k: 1, 2 or 3. */
+  static int edgeClass(Lattice lattice, HullRing ring, int k) {
+    return parities(lattice, ring.site(k)) ^ parities(lattice, ring.site(k + 1));
   }
 
   private static int parities(Lattice lattice, int v) {

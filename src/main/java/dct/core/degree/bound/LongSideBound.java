@@ -20,24 +20,54 @@ final class LongSideBound {
 
   private LongSideBound() {}
 
+  /**
+   * A side of the hull.
+   *
+   * @param corner the position where it begins
+   * @param inside how many sites lie inside it, from the next position on
+   * @param wishedEven how many of these are wished even
+   */
+  record Side(int corner, int inside, int wishedEven) {
+    /** How many hull sites lie off it. */
+    int others(HullRing ring) {
+      return ring.size() - inside - 2;
+    }
+
+    /**
+     * So many of its sites that are wished even are odd at least; negative if that says nothing.
+     */
+    int odd(HullRing ring) {
+      return wishedEven - 2 * ring.interior() - others(ring) + 1;
+    }
+  }
+
   static LowerBound of(HullRing ring, ParityGoal goal) {
-    int best = 0;
-    int h = ring.size();
-    int corner = 0;
-    while (ring.isFlat(corner)) {
-      corner++;
+    return new LowerBound(Math.max(0, best(ring, goal).odd(ring)), "long side");
+  }
+
+  /** The side that gives the largest bound. */
+  static Side best(HullRing ring, ParityGoal goal) {
+    int first = 0;
+    while (ring.isFlat(first)) {
+      first++;
     }
-    for (int k = corner + 1; k < corner + h; k++) {
-      int m = 0;
-      int even = 0;
-      while (ring.isFlat(k)) {
-        even += goal.wish(ring.site(k)) == Wish.EVEN ? 1 : 0;
-        m++;
-        k++;
-      }
-      int offSide = h - m - 2;
-      best = Math.max(best, even - 2 * ring.interior() - offSide + 1);
+    Side best = side(ring, first, goal);
+    int corner = first + best.inside + 1;
+    while (corner < first + ring.size()) {
+      Side side = side(ring, corner, goal);
+      best = side.odd(ring) > best.odd(ring) ? side : best;
+      corner += side.inside + 1;
     }
-    return new LowerBound(best, "long side");
+    return best;
+  }
+
+  private static Side side(HullRing ring, int corner, ParityGoal goal) {
+    int even = 0;
+    int k = corner + 1;
+    while (ring.isFlat(k)) {
+      even += goal.wish(ring.site(k)) == Wish.EVEN ? 1 : 0;
+      k++;
+    }
+    return new Side(corner, k - corner - 1, even);
   }
 }

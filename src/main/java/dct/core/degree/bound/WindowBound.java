@@ -5,8 +5,10 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -90,41 +92,63 @@ final class WindowBound {
     }
     return AllTriangles.of(points, MOST_TRIANGLES, progress)
         .map(all -> new WindowBound(ring, all, new Handshake(goal), enough, progress).best())
-        .map(count -> new LowerBound(count, "windows that cannot be all even"));
+        .map(best -> new LowerBound(best.windows.size(), "windows that cannot be all even"));
   }
 
-  private int best() {
+  /**
+   * The windows that prove the bound.
+   *
+   * @param windows the sites of each, in the order of the sweep
+   * @param byX whether they lie between lines upright, rather than level
+   */
+  record Windows(List<int[]> windows, boolean byX) {}
+
+  /**
+   * The same, with the windows that were refuted; only for all wishes even.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static Optional<Windows> windows(HullRing ring, int enough, Progress progress) {
+    Points points = ring.points();
+    ParityGoal goal = ParityGoal.allEven(points.size());
+    return points.size() > MOST_SITES
+        ? Optional.empty()
+        : AllTriangles.of(points, MOST_TRIANGLES, progress)
+            .map(all -> new WindowBound(ring, all, new Handshake(goal), enough, progress).best());
+  }
+
+  private Windows best() {
     Points points = ring.points();
     Comparator<Integer> byX = Comparator.comparingDouble(points::x);
     Comparator<Integer> byY = Comparator.comparingDouble(points::y);
-    int best = 0;
-    for (Comparator<Integer> order :
+    List<Comparator<Integer>> orders =
         Arrays.asList(
             byX.thenComparing(byY),
             byY.thenComparing(byX),
             byX.thenComparing(byY).reversed(),
-            byY.thenComparing(byX).reversed())) {
-      if (handshake.roundUp(best) < enough) {
-        best = Math.max(best, sweep(order));
-      }
+            byY.thenComparing(byX).reversed());
+    Windows best = new Windows(List.of(), true);
+    for (int k = 0; k < orders.size() && handshake.roundUp(best.windows.size()) < enough; k++) {
+      List<int[]> found = sweep(orders.get(k));
+      best = found.size() > best.windows.size() ? new Windows(found, k % 2 == 0) : best;
     }
     return best;
   }
 
-  /** How many disjoint windows one sweep refutes. */
-  private int sweep(Comparator<Integer> direction) {
+  /** The disjoint windows that one sweep refutes. */
+  private List<int[]> sweep(Comparator<Integer> direction) {
     Integer[] order = new Integer[inside.length];
     Arrays.setAll(order, v -> v);
     Arrays.sort(order, direction);
-    int windows = 0;
+    List<int[]> windows = new ArrayList<>();
     steps = 0;
     int from = 0;
-    while (from < order.length && handshake.roundUp(windows) < enough) {
+    while (from < order.length && handshake.roundUp(windows.size()) < enough) {
       int end = shortest(order, from);
       if (end < 0) {
         return windows;
       }
-      windows++;
+      windows.add(Arrays.stream(order, from, end).mapToInt(v -> v).toArray());
       from = end;
     }
     return windows;
