@@ -10,6 +10,7 @@ import dct.ui.command.CommandMenu;
 import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.job.Jobs;
+import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
 import java.awt.BorderLayout;
@@ -73,7 +74,10 @@ public final class MainWindow extends JFrame implements CommandWindow {
     ViewCommands.offer(commands, canvas);
     HelpCommands.offer(commands, this);
     commands.add(
-        "Give Up", "ESCAPE", "Puts a dragged vertex back, or stops what goes on", this::giveUp);
+        "Give Up",
+        "ESCAPE",
+        "Puts a dragged vertex back, stops what goes on, or leaves the drawing",
+        this::giveUp);
     commands.bindKeys(getRootPane());
   }
 
@@ -109,7 +113,9 @@ public final class MainWindow extends JFrame implements CommandWindow {
 
   private void giveUp() {
     boolean dragging = workbench.tool().map(tool -> tool.cancelled(workbench)).orElse(false);
-    if (!dragging) {
+    if (!dragging && workbench.jobs().isIdle()) {
+      workbench.tool().ifPresent(tool -> tool.keyPressed(workbench, Key.ESCAPE));
+    } else if (!dragging) {
       workbench.jobs().cancelCurrent();
     }
     canvas.repaint();

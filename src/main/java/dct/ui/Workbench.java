@@ -124,7 +124,7 @@ public final class Workbench implements ToolContext {
     choose(draw);
   }
 
-  /** Chooses Edit Vertex. */
+  @Override
   public void chooseEdit() {
     choose(edit);
   }

@@ -240,11 +240,11 @@ class PolygonWindowTest extends WindowTest {
   }
 
   @Test
-  void aSecondClickAtTheSamePlaceAddsNothing() {
+  void aClickWhereAVertexIsAddsNothing() {
     draw(100, 100, 500, 400);
-    clickAt(500, 400);
+    clickAt(100, 100);
     assertThat(points().size()).isEqualTo(2);
-    assertThat(frame.label("status").text()).contains("v1 is already there");
+    assertThat(frame.label("status").text()).contains("v0 is already there");
   }
 
   @Test

@@ -2,8 +2,6 @@ package dct.ui.canvas;
 
 import java.awt.Cursor;
 import java.awt.Point;
-import java.awt.event.KeyAdapter;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -28,7 +26,7 @@ final class Navigation extends MouseAdapter {
 
   private final JComponent canvas;
   private final Target target;
-  private boolean space;
+  private final SpaceBar space;
   private Point grabbed; // null while nothing is panned
   private Cursor cursor;
 
@@ -38,20 +36,16 @@ final class Navigation extends MouseAdapter {
     canvas.addMouseListener(this);
     canvas.addMouseMotionListener(this);
     canvas.addMouseWheelListener(this);
-    canvas.addKeyListener(new SpaceBar());
-  }
-
-  @Override
-  public void mouseEntered(MouseEvent e) {
-    // So that the space bar pans instead of pressing the button that was clicked last.
-    canvas.requestFocusInWindow();
+    space = new SpaceBar(canvas);
+    FocusLoss.of(canvas, this::release);
   }
 
   @Override
   public void mousePressed(MouseEvent e) {
     canvas.requestFocusInWindow();
     boolean pans =
-        SwingUtilities.isMiddleMouseButton(e) || (space && SwingUtilities.isLeftMouseButton(e));
+        SwingUtilities.isMiddleMouseButton(e)
+            || (space.isDown() && SwingUtilities.isLeftMouseButton(e));
     if (pans && grabbed == null) {
       grabbed = e.getPoint();
       cursor = canvas.getCursor();
@@ -72,26 +66,25 @@ final class Navigation extends MouseAdapter {
   @Override
   public void mouseReleased(MouseEvent e) {
     if (grabbed != null) {
-      grabbed = null;
-      canvas.setCursor(cursor);
+      drop();
       e.consume();
+    }
+  }
+
+  private void drop() {
+    grabbed = null;
+    canvas.setCursor(cursor);
+  }
+
+  private void release() {
+    space.reset();
+    if (grabbed != null) {
+      drop();
     }
   }
 
   @Override
   public void mouseWheelMoved(MouseWheelEvent e) {
     target.zoom(Math.pow(ZOOM_STEP, -e.getPreciseWheelRotation()), e.getX(), e.getY());
-  }
-
-  private final class SpaceBar extends KeyAdapter {
-    @Override
-    public void keyPressed(KeyEvent e) {
-      space |= e.getKeyCode() == KeyEvent.VK_SPACE;
-    }
-
-    @Override
-    public void keyReleased(KeyEvent e) {
-      space &= e.getKeyCode() != KeyEvent.VK_SPACE;
-    }
   }
 }

@@ -1,5 +1,7 @@
 package dct.ui.canvas;
 
+import dct.render.Pen;
+import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
 import dct.ui.tool.ToolContext;
@@ -10,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 
-/** The one listener that turns the mouse on a canvas into calls of the chosen tool. */
+/** The one listener that turns mouse and keys on a canvas into calls of the chosen tool. */
 public final class ToolMouse extends MouseAdapter {
 
   /** One of a tool's methods. */
@@ -23,7 +25,10 @@ public final class ToolMouse extends MouseAdapter {
   private final Supplier<Optional<Tool>> tool;
   private final ToolContext context;
   private final Consumer<Spot> after;
+  private final Clicks clicks = new Clicks();
+  private final CanvasKeys keys;
   private boolean down; // the left button was pressed here and went to the tool
+  private Spot last; // what was told last
 
   /**
    * Listens to the canvas.
@@ -40,23 +45,64 @@ public final class ToolMouse extends MouseAdapter {
     this.tool = tool;
     this.context = context;
     this.after = after;
+    keys =
+        new CanvasKeys(
+            canvas,
+            this::keyPressed,
+            this::keysReleased,
+            spot -> call(spot, Tool::moved),
+            this::clickedByKey);
+    last = Spot.at(canvas.viewport(), 0, 0);
     canvas.addMouseListener(this);
     canvas.addMouseMotionListener(this);
-    canvas.setOverlay(pen -> tool.get().ifPresent(t -> t.paint(context, pen)));
+    canvas.setOverlay(this::paint);
+    FocusLoss.of(canvas, this::giveUp);
+  }
+
+  private void paint(Pen pen) {
+    tool.get().ifPresent(t -> t.paint(context, pen));
+    keys.paint(pen);
+  }
+
+  private boolean keyPressed(Key key) {
+    boolean used = tool.get().map(t -> t.keyPressed(context, key)).orElse(false);
+    if (used) {
+      canvas.repaint();
+      after.accept(last);
+    }
+    return used;
+  }
+
+  private void keysReleased() {
+    tool.get().ifPresent(t -> t.keysReleased(context));
+  }
+
+  private void clickedByKey(Spot spot) {
+    call(spot, Tool::pressed);
+    call(spot, Tool::released);
+  }
+
+  /** What the mouse has begun cannot be ended in a window that has lost the keyboard. */
+  private void giveUp() {
+    if (down) {
+      down = false;
+      tool.get().ifPresent(t -> t.cancelled(context));
+      canvas.repaint();
+    }
   }
 
   @Override
   public void mousePressed(MouseEvent e) {
     if (SwingUtilities.isLeftMouseButton(e) && !e.isConsumed()) {
       down = true;
-      call(e, Tool::pressed);
+      call(spot(e).clicked(clicks.count(e.getWhen(), e.getPoint())), Tool::pressed);
     }
   }
 
   @Override
   public void mouseDragged(MouseEvent e) {
     if (down) {
-      call(e, Tool::dragged);
+      call(spot(e), Tool::dragged);
     }
   }
 
@@ -64,13 +110,13 @@ public final class ToolMouse extends MouseAdapter {
   public void mouseReleased(MouseEvent e) {
     if (down && SwingUtilities.isLeftMouseButton(e)) {
       down = false;
-      call(e, Tool::released);
+      call(spot(e), Tool::released);
     }
   }
 
   @Override
   public void mouseMoved(MouseEvent e) {
-    call(e, Tool::moved);
+    call(spot(e), Tool::moved);
   }
 
   @Override
@@ -82,8 +128,8 @@ public final class ToolMouse extends MouseAdapter {
     }
   }
 
-  private void call(MouseEvent e, Call call) {
-    Spot spot = spot(e);
+  private void call(Spot spot, Call call) {
+    last = spot;
     tool.get().ifPresent(t -> call.on(t, context, spot));
     canvas.repaint();
     after.accept(spot);
@@ -93,6 +139,8 @@ public final class ToolMouse extends MouseAdapter {
   private Spot spot(MouseEvent e) {
     int x = Math.max(0, Math.min(canvas.getWidth() - 1, e.getX()));
     int y = Math.max(0, Math.min(canvas.getHeight() - 1, e.getY()));
-    return Spot.at(canvas.viewport(), x, y);
+    Spot spot = Spot.at(canvas.viewport(), x, y).withShift(e.isShiftDown());
+    keys.mouseAt(spot);
+    return spot;
   }
 }

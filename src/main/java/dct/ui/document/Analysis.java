@@ -25,7 +25,7 @@ import java.util.Optional;
 public final class Analysis {
   private final Document document;
   private final Optional<Solution> automatic;
-  private final List<Defect> defects; // the first is the one to name
+  private final List<Defect> defects; // also of a provisional edge; the first is the one to name
   private final Scene scene; // of the points and what follows from them
   private final boolean growing; // of a polygon: the last edge is still provisional
   private final boolean pending;
@@ -68,8 +68,26 @@ public final class Analysis {
 
   private static Analysis polygon(
       Document document, List<Defect> defects, boolean growing, boolean pending) {
-    Scene scene = Scene.polygon(document.points(), growing, defects);
+    Scene scene = Scene.polygon(document.points(), growing, named(defects, growing));
     return new Analysis(document, Optional.empty(), defects, scene, growing, pending);
+  }
+
+  /**
+   * While vertices are being drawn, nothing that only the provisional last edge does is a fault.
+   */
+  private static List<Defect> named(List<Defect> defects, boolean growing) {
+    return growing ? defects.stream().filter(defect -> !isOfLastEdge(defect)).toList() : defects;
+  }
+
+  private static boolean isOfLastEdge(Defect defect) {
+    int last = defect.count() - 1;
+    return switch (defect.kind()) {
+      case CROSSING, OVERLAP -> defect.first() == last || defect.second() == last;
+      case TOUCH -> defect.second() == last;
+      case SPIKE -> defect.first() == 0 || defect.first() == last;
+      case TOO_FEW, COLLINEAR -> true; // there will be more
+      case FEW_SITES, SITES_ON_ONE_LINE, DUPLICATE -> false;
+    };
   }
 
   private static Analysis untriangulated(Document document, boolean pending) {
@@ -148,9 +166,12 @@ public final class Analysis {
     return document.domain() == Domain.SITES ? document.result() : Optional.empty();
   }
 
-  /** What keeps the polygon from being simple, or the sites from having a triangle. */
+  /**
+   * What keeps the polygon from being simple, or the sites from having a triangle; while vertices
+   * are being drawn, nothing that only the last edge does, which is provisional.
+   */
   public List<Defect> defects() {
-    return defects;
+    return named(defects, growing);
   }
 
   /** The picture. */

@@ -11,8 +11,14 @@ import dct.ui.document.Edit;
 import java.awt.Cursor;
 import java.awt.event.KeyEvent;
 
-/** Draw Vertex: a click appends a vertex. */
+/**
+ * Draw Vertex: a click appends a vertex. A click on v0, a double click or Enter ends the drawing,
+ * Backspace takes the last vertex back, Esc leaves.
+ */
 public final class DrawTool implements Tool {
+  /** How near to the first vertex a click ends the drawing, in pixels. */
+  private static final double CLOSING_REACH = 5;
+
   private Spot hover; // null while the mouse is elsewhere
 
   @Override
@@ -39,11 +45,14 @@ public final class DrawTool implements Tool {
   public String hint(ToolContext context) {
     int n = context.document().size();
     if (context.document().domain() == Domain.SITES) {
-      return "Click to add site v" + n;
+      return "Click to add site v" + n + "; Enter ends";
+    }
+    if (hover != null && closes(context, hover)) {
+      return "Click v0 to end the drawing";
     }
     return n < 3
         ? "Click to add vertex v" + n
-        : "Click to add vertex v" + n + " between v" + (n - 1) + " and v0";
+        : "Click to add vertex v" + n + "; click v0, double-click or press Enter to end";
   }
 
   @Override
@@ -59,35 +68,91 @@ public final class DrawTool implements Tool {
   @Override
   public void pressed(ToolContext context, Spot spot) {
     hover = spot;
-    Document document = context.document();
-    int there = document.vertexAt(spot.x(), spot.y());
-    if (closes(context, spot)) {
-      context.say("The polygon closes by itself, from v" + (document.size() - 1) + " to v0");
-    } else if (there >= 0) {
-      context.say("v" + there + " is already there; nothing was added");
+    if (spot.clicks() > 1) {
+      clickedAgain(context);
+    } else if (closes(context, spot)) {
+      end(context);
     } else {
-      context.perform(Edit.draw(document, spot.x(), spot.y()));
+      draw(context, spot.x(), spot.y());
     }
   }
 
-  /** Whether this is the click on the first vertex that closes a polygon in other programs. */
+  /** The second click of a double click is no vertex. */
+  private void clickedAgain(ToolContext context) {
+    if (context.document().domain() == Domain.POLYGON && context.document().size() > 2) {
+      end(context);
+    }
+  }
+
+  private static void draw(ToolContext context, double x, double y) {
+    Document document = context.document();
+    int there = document.vertexAt(x, y);
+    if (there >= 0) {
+      context.say("v" + there + " is already there; nothing was added");
+    } else {
+      context.perform(Edit.draw(document, x, y));
+    }
+  }
+
+  /** Whether this place is that of the first vertex of a polygon. */
   private static boolean closes(ToolContext context, Spot spot) {
     Document document = context.document();
     return document.domain() == Domain.POLYGON
         && document.size() > 2
-        && Pick.distance(document.points(), context.viewport(), 0, spot) <= 5;
+        && Pick.distance(document.points(), context.viewport(), 0, spot) <= CLOSING_REACH;
   }
 
-  /** Shows the edges that the next click would make. */
+  private void end(ToolContext context) {
+    hover = null;
+    context.chooseEdit();
+  }
+
+  @Override
+  public boolean keyPressed(ToolContext context, Key key) {
+    switch (key.code()) {
+      case KeyEvent.VK_ENTER -> enter(context);
+      case KeyEvent.VK_ESCAPE -> end(context);
+      case KeyEvent.VK_BACK_SPACE -> takeBack(context);
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void enter(ToolContext context) {
+    int n = context.document().size();
+    if (context.document().domain() == Domain.POLYGON && n < 3) {
+      context.say("A polygon has three vertices or more; Esc leaves the drawing as it is");
+    } else {
+      end(context);
+    }
+  }
+
+  private static void takeBack(ToolContext context) {
+    int n = context.document().size();
+    if (n > 0) {
+      context.perform(Edit.delete(context.document(), n - 1));
+    } else {
+      context.say("There is no vertex to take back");
+    }
+  }
+
+  /** Shows the edges that the next click would make; the closing one is dashed. */
   @Override
   public void paint(ToolContext context, Pen pen) {
     Points points = context.document().points();
     if (hover == null || context.document().domain() == Domain.SITES || points.size() == 0) {
       return;
     }
-    pen.style(Stroke.dashed(Ink.PROPOSED, 1.4));
+    if (closes(context, hover)) {
+      Pick.mark(pen, context.viewport(), points.x(0), points.y(0));
+      return;
+    }
+    pen.style(Stroke.solid(Ink.PROPOSED, 1.4));
     edgeFrom(context.viewport(), points, points.size() - 1, pen);
     if (points.size() > 1) {
+      pen.style(Stroke.dashed(Ink.PROPOSED, 1.4));
       edgeFrom(context.viewport(), points, 0, pen);
     }
   }

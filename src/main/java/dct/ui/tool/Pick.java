@@ -14,15 +14,8 @@ final class Pick {
   /** How far from the mouse a vertex may be, in pixels. */
   static final double REACH = 9;
 
-  /**
-   * An edge and the point on it that is nearest to the mouse.
-   *
-   * @param from one end
-   * @param to the other end
-   * @param x the point's x in the model
-   * @param y the point's y in the model
-   */
-  record EdgePoint(int from, int to, double x, double y) {}
+  /** Distances that differ by less are the same, in pixels. */
+  private static final double TIE = 1e-6;
 
   private Pick() {}
 
@@ -53,7 +46,7 @@ final class Pick {
   static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot) {
     Search search = new Search(shown.document().points(), view, spot);
     shown.scene().visitNear(view, spot.screenX(), spot.screenY(), search);
-    return Optional.ofNullable(search.best);
+    return search.found();
   }
 
   /** Draws a ring round a vertex. */
@@ -68,7 +61,9 @@ final class Pick {
     private final Viewport view;
     private final Spot spot;
     private double least = Double.POSITIVE_INFINITY;
-    private EdgePoint best;
+    private int from = -1;
+    private int to;
+    private double t; // where on the edge
 
     Search(Points points, Viewport view, Spot spot) {
       this.points = points;
@@ -77,23 +72,28 @@ final class Pick {
     }
 
     @Override
-    public double visit(int from, int to) {
-      double ax = view.screenX(points.x(from));
-      double ay = view.screenY(points.y(from));
-      double dx = view.screenX(points.x(to)) - ax;
-      double dy = view.screenY(points.y(to)) - ay;
+    public double visit(int a, int b) {
+      double ax = view.screenX(points.x(a));
+      double ay = view.screenY(points.y(a));
+      double dx = view.screenX(points.x(b)) - ax;
+      double dy = view.screenY(points.y(b)) - ay;
       double px = spot.screenX() - ax;
       double py = spot.screenY() - ay;
       double square = dx * dx + dy * dy;
-      double t = square == 0 ? 0 : Math.max(0, Math.min(1, (px * dx + py * dy) / square));
-      double distance = Math.hypot(px - t * dx, py - t * dy);
-      if (distance < least) {
-        least = distance;
-        double x = points.x(from) * (1 - t) + points.x(to) * t;
-        double y = points.y(from) * (1 - t) + points.y(to) * t;
-        best = new EdgePoint(from, to, Spot.rounded(view, x), Spot.rounded(view, y));
+      double part = square == 0 ? 0 : Math.max(0, Math.min(1, (px * dx + py * dy) / square));
+      double distance = Math.hypot(px - part * dx, py - part * dy);
+      // Of several at one distance the last wins: the boundary is drawn on top.
+      if (distance <= least + TIE) {
+        least = Math.min(least, distance);
+        from = a;
+        to = b;
+        t = part;
       }
-      return least;
+      return least + TIE;
+    }
+
+    Optional<EdgePoint> found() {
+      return from < 0 ? Optional.empty() : Optional.of(EdgePoint.of(points, view, from, to, t));
     }
   }
 }

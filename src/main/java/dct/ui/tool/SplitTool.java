@@ -8,7 +8,6 @@ import dct.render.Stroke;
 import dct.render.Viewport;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
-import dct.ui.tool.Pick.EdgePoint;
 import java.awt.Cursor;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
@@ -67,11 +66,17 @@ public final class SplitTool implements Tool {
 
   private static void split(ToolContext context, EdgePoint edge) {
     Document document = context.document();
-    int there = document.vertexAt(edge.x(), edge.y());
+    EdgePoint place =
+        edge.exact() ? edge : NearEdge.settle(document, edge, context.viewport().scale());
+    int there = document.vertexAt(place.x(), place.y());
     if (there >= 0) {
       context.say("v" + there + " is already there; click farther from it, or zoom in");
-    } else {
-      context.perform(Edit.split(number(document, edge), edge.x(), edge.y()));
+      return;
+    }
+    int number = number(document, place);
+    context.perform(Edit.split(number, place.x(), place.y()));
+    if (!place.exact()) {
+      context.say("v" + number + " is a rounding away from the edge: no number is nearer to it");
     }
   }
 

@@ -6,7 +6,8 @@ import java.awt.event.KeyEvent;
 
 /**
  * A mouse mode: its name, key, description, pointer and hint, and what it does. Its methods are
- * called with the left button's presses, drags and releases, and with moves without a button.
+ * called with the left button's presses, drags and releases, with moves without a button, and with
+ * the keys that are pressed on the canvas.
  */
 public interface Tool {
 
@@ -41,6 +42,18 @@ public interface Tool {
 
   /** The button was released. */
   default void released(ToolContext context, Spot spot) {}
+
+  /**
+   * A key was pressed.
+   *
+   * @return whether the tool has a use for it
+   */
+  default boolean keyPressed(ToolContext context, Key key) {
+    return false;
+  }
+
+  /** A key was released, or the canvas lost the keyboard. */
+  default void keysReleased(ToolContext context) {}
 
   /**
    * Gives up what was begun with the button still down.

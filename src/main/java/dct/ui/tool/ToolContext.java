@@ -27,6 +27,9 @@ public interface ToolContext {
   /** Goes back to the document's points. */
   void endPreview();
 
+  /** Chooses Edit Vertex. */
+  void chooseEdit();
+
   /** Tells the user something in the status line. */
   void say(String message);
 }

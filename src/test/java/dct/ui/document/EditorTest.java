@@ -52,6 +52,27 @@ class EditorTest {
     assertThat(sites.shown().document()).isEqualTo(before);
   }
 
+  @Test
+  void whileAPolygonIsDrawnItsLastEdgeIsNoFault() {
+    Editor polygon = new Editor(Domain.POLYGON, jobs);
+    polygon.setGrowing(true);
+    double[] crossedByTheLastEdge = {100, 100, 500, 100, 500, 400, 700, 250};
+    for (int v = 0; v < 4; v++) {
+      polygon.perform(
+          Edit.draw(
+              polygon.document(), crossedByTheLastEdge[2 * v], crossedByTheLastEdge[2 * v + 1]));
+      assertThat(polygon.shown().defects()).as("v%d", v).isEmpty();
+    }
+    polygon.setGrowing(false);
+    assertThat(polygon.shown().defects()).isNotEmpty();
+    polygon.setGrowing(true);
+    polygon.perform(Edit.draw(polygon.document(), 300, 50)); // crosses v0–v1
+    assertThat(polygon.shown().defects())
+        .extracting(defect -> defect.first() + " " + defect.second())
+        .contains("0 3")
+        .noneMatch(edges -> edges.contains("4"));
+  }
+
   private static final double[] SEVEN = {0, 0, 9, 0, 4, 7, 12, 8, 3, 3, 8, 5, 2, 9};
 
   @Test

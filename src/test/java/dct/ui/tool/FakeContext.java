@@ -15,6 +15,7 @@ final class FakeContext implements ToolContext {
   Viewport viewport = Viewport.IDENTITY;
   Points preview;
   String said = "";
+  boolean editing; // Edit Vertex was chosen
 
   FakeContext(Domain domain, double... pairs) {
     history = new History(new Document(domain, Points.ofPairs(pairs)));
@@ -58,6 +59,11 @@ final class FakeContext implements ToolContext {
   @Override
   public void endPreview() {
     preview = null;
+  }
+
+  @Override
+  public void chooseEdit() {
+    editing = true;
   }
 
   @Override

@@ -69,6 +69,11 @@ class VertexRowsTest {
     }
 
     @Override
+    public void chooseEdit() {
+      throw new UnsupportedOperationException();
+    }
+
+    @Override
     public void say(String message) {
       said = message;
     }
