@@ -17,7 +17,8 @@ import java.util.Map;
 
 /** Draws on any {@link Graphics2D}: the screen or an image. */
 public final class GraphicsPen implements Pen {
-  private static final float RIM = 3.5f;
+  /** The width of the line round letters; half of it lies outside. */
+  static final float RIM = 3.5f;
 
   private final Graphics2D graphics;
   private final Map<Ink, Color> colours = new EnumMap<>(Ink.class);

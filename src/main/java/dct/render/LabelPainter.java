@@ -4,131 +4,243 @@ import dct.core.geometry.Box;
 import dct.core.triangulate.MovedSite;
 import dct.render.Pen.Anchor;
 import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
- * Writes labels beside the vertices, away from their edges, and leaves out those that would cover
- * one written before.
+ * Writes labels beside the vertices: each at one of eight places round its vertex where no vertex
+ * and no other label is, and few edges; of a polygon rather outside. A label for which there is no
+ * such place is left out.
+ *
+ * <p>Vertices are served in their order, so that a picture always has the same labels; while it is
+ * panned they stay where they are. Linear in the number of vertices, and of edges in sight.
  */
 final class LabelPainter {
   private static final double SIZE = 11;
-  private static final double CELL_WIDTH = 16;
-  private static final double CELL_HEIGHT = 12;
-  private static final double CROWDED =
-      1.5; // dots are smaller where no label has a side of its own
+  private static final double ADVANCE = 0.31 * SIZE; // half a letter's; no pen need know its font
+  private static final double HALF_HEIGHT = 0.45 * SIZE;
+  private static final double BASELINE = 0.36 * SIZE; // below the middle of a line
+  private static final double GAP = 2.5; // between a dot and its label
+  private static final double BEYOND = 80; // what lies so far outside has its say in who is served
+  private static final double SLANT = Math.sqrt(0.5);
+  private static final double INSIDE = 6; // as bad as edges in so many cells
+  private static final double AWAY = 2; // the same where there is no inside
+  private static final double COVERED = 0.5; // of a label's cells; with more edges it is left out
+
+  /** The directions from a vertex to its label; of equally good ones the first is taken. */
+  private static final double[][] DIRECTIONS = {
+    {SLANT, -SLANT},
+    {-SLANT, -SLANT},
+    {SLANT, SLANT},
+    {-SLANT, SLANT},
+    {1, 0},
+    {-1, 0},
+    {0, -1},
+    {0, 1}
+  };
 
   private final Scene scene;
   private final Viewport view;
   private final Box screen;
+  private final Box near;
   private final double dot;
-  private final double distance;
-  private final Map<Integer, double[]> away = new HashMap<>(); // by vertex: the sum of directions
-  private final int columns;
-  private final BitSet taken = new BitSet(); // cells of the screen, row by row
+  private final BitSet ringed; // the vertices with a ring round them
+  private final Outwards outwards;
+  private final Cells taken; // by vertices and labels
+  private final Cells edges;
 
   LabelPainter(Scene scene, Viewport view, Box screen, double dot) {
     this.scene = scene;
     this.view = view;
     this.screen = screen;
+    this.near = screen.grown(BEYOND);
     this.dot = dot;
-    this.distance = dot + SIZE * 0.75;
-    this.columns = column(screen.maxX()) + 1;
+    this.ringed = new BitSet();
+    for (int v : scene.unmet()) {
+      ringed.set(v);
+    }
+    this.outwards = new Outwards(scene, view);
+    this.taken = new Cells(near, view);
+    this.edges = new Cells(near, view);
   }
 
   void paint(Pen pen) {
-    if (dot > CROWDED) {
-      pointAway();
+    takeVertices();
+    if (!Dots.areCrowded(dot)) {
+      takeEdges();
     }
     pen.style(Stroke.fill(Ink.LABEL));
     for (int v = 0; v < scene.size(); v++) {
       double x = view.screenX(scene.x(v));
       double y = view.screenY(scene.y(v));
-      if (screen.holds(x, y)) {
-        label(pen, v, x, y);
+      double radius = radius(v);
+      if (near.holds(x, y) && hasRoom(x, y, radius)) {
+        label(pen, v, x, y, radius);
       }
     }
   }
 
-  /** For each vertex in sight, the reverse of the mean direction of its edges. */
-  private void pointAway() {
+  private double radius(int v) {
+    return ringed.get(v) ? Dots.ringRadius(dot) : dot;
+  }
+
+  private void takeVertices() {
+    SceneIndex index = scene.index();
+    Blocks blocks = index.blocks();
+    int block = blocks.next(0, view, near);
+    for (; block < blocks.count(); block = blocks.next(block + 1, view, near)) {
+      for (int place = blocks.first(block); place < blocks.end(block); place++) {
+        if (!scene.patch().isLeft(place)) {
+          takeVertex(index.vertex(place), index.x(place), index.y(place));
+        }
+      }
+    }
+    if (scene.patch().isArrived()) {
+      int v = scene.patch().site();
+      takeVertex(v, scene.x(v), scene.y(v));
+    }
+  }
+
+  private void takeVertex(int v, double modelX, double modelY) {
+    double x = view.screenX(modelX);
+    double y = view.screenY(modelY);
+    if (near.holds(x, y)) {
+      double r = radius(v) * SLANT;
+      taken.take(x - r, y - r, x + r, y + r);
+    }
+  }
+
+  private void takeEdges() {
     List<IndexedEdges> layers = scene.index().layers();
     for (int layer = 0; layer < layers.size(); layer++) {
-      pointAway(layers.get(layer), scene.patch().hidden(layer));
+      takeEdges(layers.get(layer), scene.patch().hidden(layer));
       for (MovedSite.Edge edge : scene.patch().added(layer)) {
-        pointAway(edge.from(), edge.to());
+        takeEdge(edge.from(), edge.to());
       }
     }
   }
 
-  private void pointAway(IndexedEdges edges, Few hidden) {
+  private void takeEdges(IndexedEdges layer, Few hidden) {
     SceneIndex index = scene.index();
-    Blocks blocks = edges.blocks();
-    int block = blocks.next(0, view, screen);
-    for (; block < blocks.count(); block = blocks.next(block + 1, view, screen)) {
+    Blocks blocks = layer.blocks();
+    int block = blocks.next(0, view, near);
+    for (; block < blocks.count(); block = blocks.next(block + 1, view, near)) {
       for (int k = blocks.first(block); k < blocks.end(block); k++) {
         if (!hidden.holds(k)) {
-          pointAway(index.vertex(edges.from(k)), index.vertex(edges.to(k)));
+          takeEdge(index.vertex(layer.from(k)), index.vertex(layer.to(k)));
         }
       }
     }
   }
 
-  private void pointAway(int u, int v) {
-    double dx = view.screenX(scene.x(u)) - view.screenX(scene.x(v));
-    double dy = view.screenY(scene.y(u)) - view.screenY(scene.y(v));
-    double length = Math.max(Math.hypot(dx, dy), 1e-9);
-    add(u, dx / length, dy / length);
-    add(v, -dx / length, -dy / length);
+  private void takeEdge(int u, int v) {
+    double ux = view.screenX(scene.x(u));
+    double uy = view.screenY(scene.y(u));
+    double vx = view.screenX(scene.x(v));
+    double vy = view.screenY(scene.y(v));
+    edges.takeLine(ux, uy, vx, vy);
+    outwards.add(u, v, vx - ux, vy - uy);
   }
 
-  private void add(int v, double dx, double dy) {
-    double[] sum = away.computeIfAbsent(v, key -> new double[2]);
-    sum[0] += dx;
-    sum[1] += dy;
+  /** Whether the middle of the shortest label would be free anywhere; in a crowd it rarely is. */
+  private boolean hasRoom(double x, double y, double radius) {
+    double r = radius + GAP;
+    for (double[] direction : DIRECTIONS) {
+      double middleX = x + r * direction[0] + ADVANCE * Math.signum(direction[0]);
+      double middleY = y + r * direction[1] + HALF_HEIGHT * Math.signum(direction[1]);
+      if (taken.isFree(middleX, middleY)) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  private void label(Pen pen, int v, double x, double y) {
-    double[] sum = away.getOrDefault(v, new double[2]);
-    double length = Math.hypot(sum[0], sum[1]);
-    boolean anywhere = length < 0.2;
-    double dx = anywhere ? 0.7 : sum[0] / length;
-    double dy = anywhere ? -0.7 : sum[1] / length;
-    double atY = y + dy * distance;
-    if (!taken.get(cell(column(x + dx * distance), atY))) {
-      label(pen, scene.label(v), x, dx, atY);
+  /** Writes the label at the best place, if there is any. */
+  private void label(Pen pen, int v, double x, double y, double radius) {
+    String text = scene.label(v);
+    if (text.isEmpty()) {
+      return;
+    }
+    double[] out = outwards.of(v);
+    Place best = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (double[] direction : DIRECTIONS) {
+      Place place = place(x, y, radius, direction, ADVANCE * text.length());
+      double cost = place.isFree() ? cost(place, direction, out) : Double.POSITIVE_INFINITY;
+      if (cost < least) {
+        least = cost;
+        best = place;
+      }
+    }
+    if (best != null) {
+      best.take();
+      if (screen.holds(best.x, best.y)) {
+        pen.text(best.x, best.y + BASELINE, Anchor.MIDDLE, SIZE, text);
+      }
     }
   }
 
-  private void label(Pen pen, String text, double x, double dx, double atY) {
-    double halfWidth = text.length() * SIZE * 0.3;
-    double atX = x + dx * (distance + halfWidth / 2);
-    if (!text.isEmpty() && take(atX, atY, halfWidth)) {
-      pen.text(atX, atY + SIZE * 0.36, Anchor.MIDDLE, SIZE, text);
+  private double cost(Place place, double[] direction, double[] out) {
+    int cells = place.edges();
+    if (cells > COVERED * place.cells()) {
+      return Double.POSITIVE_INFINITY;
     }
+    double turned = 1 - direction[0] * out[0] - direction[1] * out[1];
+    return cells + (scene.isPolygon() ? INSIDE : AWAY) * turned;
   }
 
-  /** Claims the cells under a label, unless one of them is taken. */
-  private boolean take(double atX, double atY, double halfWidth) {
-    int first = cell(column(atX - halfWidth), atY);
-    int last = cell(column(atX + halfWidth), atY);
-    int next = taken.nextSetBit(first);
-    if (next >= 0 && next <= last) {
-      return false;
+  /** The place of a label of this half width, in a direction from its dot or ring. */
+  private Place place(double x, double y, double radius, double[] direction, double halfWidth) {
+    double r = radius + GAP;
+    double dx = direction[0];
+    double dy = direction[1];
+    return new Place(
+        x + r * dx + halfWidth * Math.signum(dx),
+        y + r * dy + HALF_HEIGHT * Math.signum(dy),
+        halfWidth);
+  }
+
+  /** A place of a label, by its middle. */
+  private final class Place {
+    private final double x;
+    private final double y;
+    private final double halfWidth;
+
+    Place(double x, double y, double halfWidth) {
+      this.x = x;
+      this.y = y;
+      this.halfWidth = halfWidth;
     }
-    taken.set(first, last + 1);
-    return true;
-  }
 
-  private int cell(int column, double atY) {
-    int row = (int) Math.max(0, Math.round((atY - screen.minY()) / CELL_HEIGHT) + 1);
-    return row * columns + column;
-  }
+    boolean isFree() {
+      return taken.isFree(left(), upper(), right(), lower());
+    }
 
-  /** The column at this x; what lies outside the screen belongs to the first or the last. */
-  private int column(double atX) {
-    double inside = Math.max(screen.minX(), Math.min(screen.maxX(), atX));
-    return (int) Math.floor((inside - screen.minX()) / CELL_WIDTH);
+    void take() {
+      taken.take(left(), upper(), right(), lower());
+    }
+
+    int edges() {
+      return edges.count(left(), upper(), right(), lower());
+    }
+
+    double cells() {
+      return 4 * halfWidth * HALF_HEIGHT / (Cells.SIDE * Cells.SIDE);
+    }
+
+    private double left() {
+      return x - halfWidth;
+    }
+
+    private double right() {
+      return x + halfWidth;
+    }
+
+    private double upper() {
+      return y - HALF_HEIGHT;
+    }
+
+    private double lower() {
+      return y + HALF_HEIGHT;
+    }
   }
 }

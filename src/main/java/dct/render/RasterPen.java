@@ -1,6 +1,5 @@
 package dct.render;
 
-import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
@@ -19,7 +18,6 @@ final class RasterPen implements Pen {
   private static final double DASH = 5;
   private static final double BEYOND = 8; // pixels that a line is followed outside the rows
 
-  private final BufferedImage image;
   private final int[] pixels;
   private final int width;
   private final int left; // the first column that is drawn on
@@ -28,8 +26,6 @@ final class RasterPen implements Pen {
   private final int bottom; // the row behind the last one
   private final double scale;
   private final Theme theme;
-  private GraphicsPen words; // null before the first text
-  private Stroke stroke = Stroke.fill(Ink.LABEL);
   private int rgb;
   private double lineWidth;
   private boolean dashed;
@@ -46,7 +42,6 @@ final class RasterPen implements Pen {
 
   /** A pen for a part of an image. */
   RasterPen(BufferedImage image, Rectangle part, double scale, Theme theme) {
-    this.image = image;
     this.pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
     this.width = image.getWidth();
     this.left = part.x;
@@ -66,7 +61,6 @@ final class RasterPen implements Pen {
 
   @Override
   public void style(Stroke stroke) {
-    this.stroke = stroke;
     rgb = stroke.ink().rgb(theme);
     lineWidth = stroke.width() * scale;
     dashed = stroke.dashed();
@@ -212,16 +206,17 @@ final class RasterPen implements Pen {
    */
   @Override
   public void polygon(double[] x, double[] y) {
-    boolean[] changes = new boolean[width * (bottom - top)];
+    boolean[] changes = new boolean[(right - left) * (bottom - top)];
     for (int i = 0, last = x.length - 1; i < x.length; last = i, i++) {
       change(changes, device(x[last]), device(y[last]), device(x[i]), device(y[i]));
     }
-    for (int row = 0; row < bottom - top; row++) {
+    int k = 0;
+    for (int row = top; row < bottom; row++) {
       boolean inside = false;
-      for (int k = row * width; k < (row + 1) * width; k++) {
-        inside ^= changes[k];
+      for (int column = left; column < right; column++) {
+        inside ^= changes[k++];
         if (inside) {
-          pixels[top * width + k] = rgb;
+          pixels[row * width + column] = rgb;
         }
       }
     }
@@ -231,9 +226,9 @@ final class RasterPen implements Pen {
     double slope = (x2 - x1) / (y2 - y1);
     double end = Math.min(bottom, Math.max(y1, y2));
     for (int j = (int) Math.ceil(Math.max(top, Math.min(y1, y2))); j < end; j++) {
-      int column = (int) Math.ceil(Math.max(0, x1 + slope * (j - y1)));
-      if (column < width) {
-        changes[(j - top) * width + column] ^= true;
+      int column = (int) Math.ceil(Math.max(left, x1 + slope * (j - y1)));
+      if (column < right) {
+        changes[(j - top) * (right - left) + column - left] ^= true;
       }
     }
   }
@@ -248,15 +243,49 @@ final class RasterPen implements Pen {
     return (int) Math.max(-1, Math.min(high - 1.0, Math.ceil(value - 0.5)));
   }
 
+  /** Letters begin at whole pixels, as sharp as the platform's. */
   @Override
   public void text(double x, double y, Anchor anchor, double size, String text) {
-    if (words == null) {
-      Graphics2D graphics = image.createGraphics();
-      graphics.scale(scale, scale);
-      words = new GraphicsPen(graphics, theme);
+    int[] codes = text.codePoints().toArray();
+    Letters letters = Letters.of(size, scale);
+    int advance = 0;
+    for (int code : codes) {
+      advance += letters.letter(code).advance;
     }
-    words.style(stroke);
-    words.text(x, y, anchor, size, text);
+    double before =
+        switch (anchor) {
+          case START -> 0;
+          case MIDDLE -> advance / 2.0;
+          case END -> advance;
+        };
+    long first = Math.round(device(x) - before);
+    long baseline = Math.round(device(y));
+    int ink = rgb;
+    rgb = Ink.BACKGROUND.rgb(theme);
+    letters(letters, codes, first, baseline, true);
+    rgb = ink;
+    letters(letters, codes, first, baseline, false);
+  }
+
+  private void letters(Letters letters, int[] codes, long first, long baseline, boolean rims) {
+    long x = first;
+    for (int code : codes) {
+      Letters.Letter letter = letters.letter(code);
+      mask(letter.box, rims ? letter.rim : letter.ink, x, baseline);
+      x += letter.advance;
+    }
+  }
+
+  private void mask(Rectangle box, byte[] covered, long x, long y) {
+    for (int row = 0; row < box.height; row++) {
+      long j = y + box.y + row;
+      for (int column = 0; column < box.width && j >= top && j < bottom; column++) {
+        long i = x + box.x + column;
+        if (i >= left && i < right) {
+          mix((int) (j * width + i), (covered[row * box.width + column] & 0xFF) / 255.0);
+        }
+      }
+    }
   }
 
   /** Mixes the colour into pixel k, by the part of it that is covered. */

@@ -22,7 +22,6 @@ public final class ScenePainter {
   private static final double FIT_MARGIN = 40;
   private static final double FIT_GAP = 16; // room for rings and labels below the counts
   private static final double DEFECT_RING = 10;
-  private static final double UNMET_GAP = 4;
   private static final double REACH = 14; // how far a line, dot or ring reaches from its place
   private static final double HIDDEN = 2; // dots at both ends cover edges of so many radii
   private static final double UNMET_WIDTH = 2;
@@ -274,7 +273,7 @@ public final class ScenePainter {
       pen.style(Stroke.solid(Ink.UNMET, UNMET_WIDTH));
     }
     for (int v : scene.unmet()) {
-      ring(view.screenX(scene.x(v)), view.screenY(scene.y(v)), dot + UNMET_GAP);
+      ring(view.screenX(scene.x(v)), view.screenY(scene.y(v)), Dots.ringRadius(dot));
     }
   }
 
