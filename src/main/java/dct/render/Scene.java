@@ -337,6 +337,17 @@ public final class Scene {
     patch.moved().ifPresent(m -> m.added().forEach(e -> visitor.visit(e.from(), e.to())));
   }
 
+  /** This scene, with what is made when it is first drawn made now, in O(n log n). */
+  public Scene prepared() {
+    index();
+    return this;
+  }
+
+  /** Whether {@link #visitNear} and drawing need not wait for what {@link #prepared} makes. */
+  public boolean isPrepared() {
+    return index.isMade();
+  }
+
   /** The vertices and edges by place. */
   SceneIndex index() {
     return index.get();

@@ -15,6 +15,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 /** The file panels. Each kind begins in the folder where it was last, unless told another. */
 enum Chooser {
   DOCUMENTS("Polygons and sites", "txt", "json"),
+  FLIPS("Lists of flips", "txt"),
   WISHES("Wished parities", "txt"),
   PICTURES("Pictures", FileEnding.extensions(Content.PICTURE)),
   STUDIES(

@@ -1,12 +1,13 @@
 package dct.ui;
 
 import dct.core.geometry.Points;
+import dct.ui.command.Command;
 import dct.ui.command.CommandRegistry;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.Supplier;
 
 /** The commands that go back and forth in the history, or begin anew within it. */
 final class EditCommands {
@@ -23,27 +24,35 @@ final class EditCommands {
     new EditCommands(workbench).offer(commands);
   }
 
+  /** Offers the commands that go back and forth in the history of an editor. */
+  static void offerHistory(CommandRegistry commands, Supplier<Optional<Editor>> of) {
+    offerStep(
+        commands.add(
+            "Undo", "ctrl Z", "Takes the last step back", () -> of.get().ifPresent(Editor::undo)),
+        () -> of.get().flatMap(editor -> editor.history().undoLabel()));
+    offerStep(
+        commands
+            .add(
+                "Redo",
+                "ctrl shift Z",
+                "Does it again; also Ctrl+Y",
+                () -> of.get().ifPresent(Editor::redo))
+            .alsoOn("ctrl Y"),
+        () -> of.get().flatMap(editor -> editor.history().redoLabel()));
+  }
+
+  /** Lets a command tell which step it is about. */
+  private static void offerStep(Command command, Supplier<Optional<String>> label) {
+    command
+        .enabledWhen(() -> label.get().isPresent())
+        .named(() -> command.id() + label.get().map(name -> " " + name).orElse(""));
+  }
+
   private void offer(CommandRegistry commands) {
-    commands
-        .add("Undo", "ctrl Z", "Takes the last step back", () -> onActive(Editor::undo))
-        .enabledWhen(() -> label(editor -> editor.history().undoLabel()).isPresent())
-        .named(() -> "Undo" + words(editor -> editor.history().undoLabel()));
-    commands
-        .add("Redo", "ctrl shift Z", "Does it again; also Ctrl+Y", () -> onActive(Editor::redo))
-        .alsoOn("ctrl Y")
-        .enabledWhen(() -> label(editor -> editor.history().redoLabel()).isPresent())
-        .named(() -> "Redo" + words(editor -> editor.history().redoLabel()));
+    offerHistory(commands, workbench::active);
     commands
         .add(CLEAR, "ctrl DELETE", "Removes all vertices", this::clear)
         .enabledWhen(() -> workbench.domain().isPresent());
-  }
-
-  private Optional<String> label(Function<Editor, Optional<String>> of) {
-    return workbench.active().flatMap(of);
-  }
-
-  private String words(Function<Editor, Optional<String>> of) {
-    return label(of).map(name -> " " + name).orElse("");
   }
 
   private void onActive(Consumer<Editor> action) {

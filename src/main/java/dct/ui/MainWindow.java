@@ -9,6 +9,8 @@ import dct.ui.canvas.ToolMouse;
 import dct.ui.command.CommandMenu;
 import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
+import dct.ui.flip.FlipCommands;
+import dct.ui.flip.FlipDesk;
 import dct.ui.job.Jobs;
 import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
@@ -21,6 +23,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -38,6 +41,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient FileWork files;
   private final transient ResultFrames results;
   private final transient StudyWork studies;
+  private final transient FlipCommands flips;
   private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
   private transient Editor last; // what was shown before
   private boolean leaving; // as soon as all files are written
@@ -48,10 +52,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs()::cancelCurrent);
-    results = new ResultFrames(workbench, this, canvas::labels);
+    results = new ResultFrames(workbench, this, canvas::labels, this::folder);
     files = new FileWork(this, workbench, this::showOpened);
     studies = new StudyWork(this, canvas, workbench.jobs());
     offerCommands();
+    flips = offerFlips();
+    commands.bindKeys(getRootPane());
     east = new EastPanel(workbench, commands);
     setJMenuBar(CommandMenu.bar(MenuTable.MAIN, commands));
     layOut();
@@ -78,13 +84,26 @@ public final class MainWindow extends JFrame implements CommandWindow {
         "ESCAPE",
         "Puts a dragged vertex back, stops what goes on, or leaves the drawing",
         this::giveUp);
-    commands.bindKeys(getRootPane());
+  }
+
+  private FlipCommands offerFlips() {
+    FlipDesk desk = workbench.flips();
+    FlipListWork lists = new FlipListWork(this, desk, workbench.jobs(), files::folder);
+    return FlipCommands.offer(
+        commands, desk, lists, canvas, () -> workbench.isChosen(Domain.SITES));
+  }
+
+  private Optional<Path> folder() {
+    return files.folder();
   }
 
   private void layOut() {
     JPanel centre = new JPanel(new BorderLayout());
     centre.add(canvas, BorderLayout.CENTER);
-    centre.add(status, BorderLayout.SOUTH);
+    JPanel below = new JPanel(new BorderLayout());
+    below.add(flips.panel(), BorderLayout.CENTER);
+    below.add(status, BorderLayout.SOUTH);
+    centre.add(below, BorderLayout.SOUTH);
     add(centre, BorderLayout.CENTER);
     add(east, BorderLayout.EAST);
   }
@@ -106,6 +125,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
     workbench.addListener(this::refresh);
+    workbench.flips().addListener(this::refresh);
     workbench.addListener(results::refresh);
     workbench.jobs().setListener(new JobListener());
     setTransferHandler(new FileDrop(files::open));
@@ -132,11 +152,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
 
   /** Shows the state of the workbench. */
   private void refresh() {
+    flips.refresh();
     Editor editor = workbench.active().orElse(null);
     if (editor != last) {
       showOther(editor);
     } else if (editor != null) {
-      canvas.setScene(editor.shown().scene());
+      canvas.setScene(workbench.flips().onTheWay().orElse(editor.shown().scene()));
     }
     canvas.setWelcome(editor == null ? welcome() : List.of());
     canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));

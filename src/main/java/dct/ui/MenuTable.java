@@ -4,12 +4,14 @@ import static dct.ui.command.CommandMenu.LINE;
 
 import dct.ui.command.CommandMenu.Plan;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Which menu holds what. */
 final class MenuTable {
-  private static final Plan VIEW =
-      Plan.of(
-          "View",
+  private static final Plan PICTURE_FILE = Plan.of("File", "Export Picture", LINE, "Close");
+
+  private static final List<String> LOOK =
+      List.of(
           "Zoom In",
           "Zoom Out",
           "Fit",
@@ -20,6 +22,29 @@ final class MenuTable {
           "Y Axis Up",
           LINE,
           "Dark Look");
+
+  private static final Plan VIEW = view("Flips", LINE);
+
+  private static final Plan REPLAY =
+      Plan.of(
+          "Replay",
+          "First Flip",
+          "Previous Flip",
+          "Play Flips",
+          "Next Flip",
+          "Last Flip",
+          LINE,
+          "Go On from Here",
+          LINE,
+          "Save Flips…",
+          "Load Flips…",
+          "Copy Flips",
+          "Apply Copied Flips");
+
+  /** The menu View: first this, then what every canvas has. */
+  private static Plan view(String... first) {
+    return new Plan("View", Stream.concat(Stream.of(first), LOOK.stream()).toList());
+  }
 
   /** The menus of the main window. */
   static final List<Plan> MAIN =
@@ -36,6 +61,7 @@ final class MenuTable {
               "Edit Vertex",
               "Split Vertex",
               "Wish Parity",
+              "Flip Edge",
               LINE,
               "Clear Canvas"),
           Plan.of(
@@ -59,10 +85,15 @@ final class MenuTable {
               "Random Polygon…"),
           Plan.of("Study", "Point Sites…", "Polygons…"),
           VIEW,
+          REPLAY,
           Plan.of("Help", "Commands and Keys", "About"));
 
   /** The menus of a frame that shows a result. */
-  static final List<Plan> RESULT = List.of(Plan.of("File", "Export Picture", LINE, "Close"), VIEW);
+  static final List<Plan> RESULT =
+      List.of(PICTURE_FILE, Plan.of("Edit", "Undo", "Redo"), VIEW, REPLAY);
+
+  /** The menus of a frame that shows a picture. */
+  static final List<Plan> PICTURE = List.of(PICTURE_FILE, view());
 
   private MenuTable() {}
 }

@@ -2,9 +2,11 @@ package dct.ui;
 
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandMenu;
+import dct.ui.command.CommandMenu.Plan;
 import dct.ui.command.CommandRegistry;
 import dct.ui.result.ResultView;
 import java.awt.BorderLayout;
+import java.util.List;
 import javax.swing.JFrame;
 
 /** A frame that shows the view of one result. */
@@ -19,11 +21,16 @@ public final class ResultFrame extends JFrame implements CommandWindow {
     this.view = view;
     setName("result");
     add(view, BorderLayout.CENTER);
-    setJMenuBar(CommandMenu.bar(MenuTable.RESULT, view.commands()));
+    setJMenuBar(CommandMenu.bar(menus(view), view.commands()));
     view.commands().bindKeys(getRootPane());
     view.whenClosed(this::dispose);
     view.addListener(() -> setTitle(view.title()));
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+  }
+
+  /** What is no result of a document cannot be flipped. */
+  private static List<Plan> menus(ResultView view) {
+    return view.result().isPresent() ? MenuTable.RESULT : MenuTable.PICTURE;
   }
 
   /** What it shows. */

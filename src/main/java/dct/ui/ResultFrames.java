@@ -6,6 +6,7 @@ import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
 import dct.ui.result.ResultView;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -24,7 +25,9 @@ final class ResultFrames {
   private final Workbench workbench;
   private final JFrame owner;
   private final Supplier<Labels> labels;
+  private final Supplier<Optional<Path>> folder;
   private final List<ResultFrame> all = new ArrayList<>(); // also those of earlier documents
+  private final List<ResultFlips> flips = new ArrayList<>(); // one for each of them
   private final Map<Integer, ResultFrame> frames = new HashMap<>(); // by view
   private final Set<Integer> undone = new HashSet<>(); // views that are closed for now
   private History history; // of the document that the frames belong to
@@ -34,8 +37,11 @@ final class ResultFrames {
    * Frames of a window; none is open yet.
    *
    * @param labels what new frames write beside the vertices
+   * @param folder where the document's file is
    */
-  ResultFrames(Workbench workbench, JFrame owner, Supplier<Labels> labels) {
+  ResultFrames(
+      Workbench workbench, JFrame owner, Supplier<Labels> labels, Supplier<Optional<Path>> folder) {
+    this.folder = folder;
     this.workbench = workbench;
     this.owner = owner;
     this.labels = labels;
@@ -59,6 +65,7 @@ final class ResultFrames {
     Optional<Result> present = history.present().result();
     present.filter(result -> !frames.containsKey(result.view())).ifPresent(this::open);
     latest = present.map(result -> frames.get(result.view()));
+    flips.forEach(ResultFlips::refresh);
   }
 
   private void refresh(int view, ResultFrame frame, Optional<Result> result) {
@@ -90,12 +97,17 @@ final class ResultFrames {
   private ResultFrame show(Result result, String name, Optional<ResultFrame> beside) {
     ResultView view = new ResultView(result, name, labels.get());
     ResultCommands.offer(view, workbench.jobs());
+    flips.add(new ResultFlips(view, workbench, () -> isOfHistory(view), folder));
     ResultFrame frame = new ResultFrame(view);
     JFrame other = beside.isPresent() ? beside.get() : owner;
     Placement.beside(frame, other, owner, all.size());
     all.add(frame);
     frame.setVisible(true);
     return frame;
+  }
+
+  private boolean isOfHistory(ResultView view) {
+    return frames.values().stream().anyMatch(frame -> frame.view() == view);
   }
 
   /** Closes all frames. */

@@ -7,10 +7,12 @@ import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.flip.FlipDesk;
 import dct.ui.job.Jobs;
 import dct.ui.tool.DeleteTool;
 import dct.ui.tool.DrawTool;
 import dct.ui.tool.EditTool;
+import dct.ui.tool.FlipTool;
 import dct.ui.tool.SplitTool;
 import dct.ui.tool.Tool;
 import dct.ui.tool.ToolContext;
@@ -34,6 +36,8 @@ public final class Workbench implements ToolContext {
   private final Tool draw = new DrawTool();
   private final Tool edit = new EditTool();
   private final Tool wish = new WishTool();
+  private final FlipDesk flips;
+  private final Tool flip;
   private final List<Tool> boxes = List.of(draw, new DeleteTool(), edit, new SplitTool());
   private final List<Runnable> listeners = new ArrayList<>();
   private final Supplier<Viewport> viewport;
@@ -56,6 +60,9 @@ public final class Workbench implements ToolContext {
       editor.setGrowing(true);
       editor.addListener(this::changed);
     }
+    SiteFlips sites = new SiteFlips(editor(Domain.SITES), () -> isChosen(Domain.SITES));
+    flips = new FlipDesk(sites, jobs, status);
+    flip = new FlipTool(flips);
   }
 
   /** Calls the listener after each change of anything here. */
@@ -87,6 +94,11 @@ public final class Workbench implements ToolContext {
     }
   }
 
+  /** The flips of the sites in the canvas. */
+  public FlipDesk flips() {
+    return flips;
+  }
+
   /** The chosen application's editor. */
   public Optional<Editor> active() {
     return domain.map(editors::get);
@@ -104,7 +116,7 @@ public final class Workbench implements ToolContext {
 
   /** All tools, in the order of the menu. */
   public List<Tool> tools() {
-    return Stream.concat(boxes.stream(), Stream.of(wish)).toList();
+    return Stream.concat(boxes.stream(), Stream.of(wish, flip)).toList();
   }
 
   /** The chosen tool, in an application. */

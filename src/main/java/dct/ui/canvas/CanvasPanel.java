@@ -38,7 +38,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private transient Scene given = Scene.sites(Points.ofPairs());
   private transient Scene scene = given; // with the labels
   private transient Viewport viewport = Viewport.IDENTITY;
-  private transient Consumer<Pen> overlay = pen -> {};
+  private final transient List<Consumer<Pen>> overlays = new ArrayList<>();
   private Labels labels = Labels.NONE;
   private String corner = "";
   private List<String> welcome = List.of();
@@ -96,9 +96,9 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     viewListeners.add(listener);
   }
 
-  /** Says what is drawn over the scene with each repaint. */
-  public void setOverlay(Consumer<Pen> overlay) {
-    this.overlay = overlay;
+  /** Draws something over the scene with each repaint, and over what was added before. */
+  public void addOverlay(Consumer<Pen> overlay) {
+    overlays.add(overlay);
   }
 
   /** Writes the mouse's coordinates in the upper left corner. */
@@ -168,7 +168,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     image.paint(graphics, new View(scene, viewport, theme(), getSize(), scaleOf(graphics)));
     GraphicsPen pen = new GraphicsPen(graphics, theme());
     ScenePainter.paintCounts(scene, new Box(0, 0, getWidth(), getHeight()), pen);
-    overlay.accept(pen);
+    overlays.forEach(overlay -> overlay.accept(pen));
     paintWords(pen);
     graphics.dispose();
   }

@@ -55,7 +55,7 @@ public final class ToolMouse extends MouseAdapter {
     last = Spot.at(canvas.viewport(), 0, 0);
     canvas.addMouseListener(this);
     canvas.addMouseMotionListener(this);
-    canvas.setOverlay(this::paint);
+    canvas.addOverlay(this::paint);
     FocusLoss.of(canvas, this::giveUp);
   }
 

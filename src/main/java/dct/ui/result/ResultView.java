@@ -76,6 +76,11 @@ public final class ResultView extends JPanel {
     }
   }
 
+  /** Shows a state on the way to the result, or the result itself again. */
+  public void showState(Optional<Scene> state) {
+    state.or(() -> result.map(Result::scene)).ifPresent(this::show);
+  }
+
   private void show(Scene scene) {
     canvas.setScene(scene);
     canvas.getAccessibleContext().setAccessibleDescription(String.join("; ", scene.counts()));
