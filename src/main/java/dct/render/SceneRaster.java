@@ -31,7 +31,7 @@ public final class SceneRaster {
       BufferedImage image,
       Progress progress) {
     int cores = Runtime.getRuntime().availableProcessors();
-    int parts = scene.points().size() <= SMALL ? 1 : Math.min(cores, image.getHeight());
+    int parts = scene.size() <= SMALL ? 1 : Math.min(cores, image.getHeight());
     IntStream.range(0, parts)
         .parallel()
         .forEach(part -> drawRows(scene, view, theme, scale, image, part, parts, progress));

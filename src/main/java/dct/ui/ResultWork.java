@@ -140,14 +140,15 @@ final class ResultWork {
                   .orElseGet(() -> Solution.of(document.instance(name, progress), by, progress)));
     }
     Optional<Solution> shown = editor.shown().solution();
+    if (!editor.shown().isWhole() || !editor.shown().document().equals(document)) {
+      workbench.say("The sites are still being triangulated; try again when that is done");
+      return Optional.empty();
+    }
     if (shown.isEmpty()) {
       workbench.say(
           "There is no triangulation to "
               + toDo
               + " yet; draw three sites or more, not all on one line");
-    } else if (!editor.shown().document().equals(document)) {
-      workbench.say("The sites are still being triangulated; try again when that is done");
-      return Optional.empty();
     }
     return shown.map(solution -> progress -> solution);
   }

@@ -9,6 +9,9 @@ import java.util.Arrays;
  * Negative zero is stored as zero, so that equal points have equal bits.
  */
 public final class Points {
+  /** In place of a point's number: there is none. */
+  public static final int NONE = -1;
+
   private final double[] x;
   private final double[] y;
 
@@ -121,11 +124,29 @@ public final class Points {
 
   /** These points with number {@code index} moved to (px, py). */
   public Points moved(int index, double px, double py) {
-    double[] xs = x.clone();
-    double[] ys = y.clone();
-    xs[index] = px;
-    ys[index] = py;
-    return of(xs, ys);
+    Points moved = new Points(x.clone(), y.clone());
+    moved.x[index] = cleaned(new double[] {px})[0];
+    moved.y[index] = cleaned(new double[] {py})[0];
+    return moved;
+  }
+
+  /**
+   * The number of the only point that is elsewhere in the other list; {@link #NONE} if there is no
+   * such point, or more than one, or the lists differ in length.
+   */
+  public int onlyDifference(Points that) {
+    if (size() != that.size()) {
+      return NONE;
+    }
+    int first = firstDifference(that, 0);
+    return first >= 0 && firstDifference(that, first + 1) < 0 ? first : NONE;
+  }
+
+  private int firstDifference(Points that, int from) {
+    int byX = Arrays.mismatch(x, from, x.length, that.x, from, x.length);
+    int end = byX < 0 ? x.length : from + byX;
+    int byY = Arrays.mismatch(y, from, end, that.y, from, end);
+    return byY >= 0 ? from + byY : byX >= 0 ? end : NONE;
   }
 
   @Override

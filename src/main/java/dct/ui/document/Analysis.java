@@ -9,6 +9,8 @@ import dct.core.geometry.SimplicityCheck;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.MovedSite;
+import dct.core.triangulate.MovingSite;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
@@ -119,11 +121,16 @@ public final class Analysis {
     try {
       Instance instance = document.instance("", progress);
       Solution solution = Solution.of(instance, Method.DELAUNAY, progress);
-      Scene scene = Scene.of(solution);
+      Scene scene = Scene.of(solution).prepared(); // so that a site can be moved at once
       return new Analysis(document, Optional.of(solution), List.of(), scene, false, false);
     } catch (InvalidGeometryException e) {
       return path(document, e.defect(), progress);
     }
+  }
+
+  /** Whether everything is known that follows from the points, and not only how they look. */
+  public boolean isWhole() {
+    return !pending;
   }
 
   /** Whether this is a whole analysis of these points, wherever it was made. */
@@ -134,6 +141,22 @@ public final class Analysis {
   /** The same of a document with the same points; its wishes and its result may be others. */
   Analysis with(Document other) {
     return new Analysis(other, automatic, defects, scene, growing, pending);
+  }
+
+  /**
+   * The site of this whole analysis to be moved; nothing if that cannot be followed step by step,
+   * because sites are merged or its triangulation has nothing but one site beside a line.
+   */
+  Optional<MovingSite> moving(int site) {
+    return automatic
+        .filter(delaunay -> delaunay.instance().size() == document.size())
+        .flatMap(delaunay -> MovingSite.of(delaunay.triangulation(), site));
+  }
+
+  /** The picture of a document in which a site has moved, which is still to be analysed. */
+  Analysis moved(Document other, MovedSite site) {
+    return new Analysis(
+        other, Optional.empty(), List.of(), scene.moved(site), growing, !site.isBack());
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */

@@ -28,6 +28,7 @@ public final class Editor {
   private Optional<Path> file = Optional.empty();
   private Document provisional; // while a drag lasts, else null
   private Analysis shown;
+  private final LivePicture live = new LivePicture(); // of large sets of sites
   private boolean growing;
   private Optional<Jobs.Handle> analysis = Optional.empty(); // queued last
   private int changes; // of the document; analyses from before the last one are not shown
@@ -91,6 +92,7 @@ public final class Editor {
     file = Optional.empty();
     provisional = null;
     shown = Analysis.pending(document, growing);
+    live.forget();
     analyse();
   }
 
@@ -130,8 +132,9 @@ public final class Editor {
   }
 
   /**
-   * Shows the document with its vertices at these places. Of many that follow each other quickly
-   * the newest is analysed whenever the one before is done, so that the picture keeps moving.
+   * Shows the document with its vertices at these places. Where one site of many has moved, only
+   * the picture follows. Else, of many that follow each other quickly, the newest is analysed
+   * whenever the one before is done, so that the picture keeps moving.
    */
   public void preview(Points points) {
     provisional = document().with(points);
@@ -180,21 +183,34 @@ public final class Editor {
     } else if (document.size() <= AT_ONCE) {
       show(Analysis.of(document, growing, Progress.NONE));
     } else {
-      String what = "Analysing the " + domain.title();
-      int change = changes;
-      boolean open = growing;
-      analysis =
-          Optional.of(
-              jobs.update(
-                  what,
-                  progress -> Analysis.of(document, open, progress),
-                  result -> showUnlessChanged(result, change)));
-      // After a small change the picture of the old state is the better one to look at meanwhile.
-      if (Math.abs(shown.document().size() - document.size()) > 1) {
-        shown = Analysis.pending(document, growing);
+      Optional<Analysis> picture = live.of(document);
+      if (picture.isEmpty() || (provisional == null && !picture.get().isWhole())) {
+        analyseInBackground(document);
+      } else {
+        analysis.ifPresent(Jobs.Handle::cancel); // it is of an older state
       }
-      changed();
+      picture.ifPresentOrElse(this::show, () -> showMeanwhile(document));
     }
+  }
+
+  private void analyseInBackground(Document document) {
+    int change = changes;
+    boolean open = growing;
+    analysis =
+        Optional.of(
+            jobs.update(
+                "Analysing the " + domain.title(),
+                progress -> Analysis.of(document, open, progress),
+                result -> showUnlessChanged(result, change)));
+  }
+
+  /** After a small change the picture of the old state is the better one to look at meanwhile. */
+  private void showMeanwhile(Document document) {
+    if (Math.abs(shown.document().size() - document.size()) > 1) {
+      shown = Analysis.pending(document, growing);
+      live.forget();
+    }
+    changed();
   }
 
   private void showUnlessChanged(Analysis result, int change) {
@@ -205,6 +221,7 @@ public final class Editor {
 
   private void show(Analysis result) {
     shown = result.growing(growing);
+    live.note(shown);
     changed();
   }
 

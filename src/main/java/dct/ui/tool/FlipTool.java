@@ -169,7 +169,7 @@ public final class FlipTool implements Tool {
   /** The edge under the mouse. */
   private OptionalInt edge(ToolContext context, Solution solution) {
     Scene scene = host.scene();
-    boolean slow = scene.points().size() > AT_ONCE && !scene.isPrepared();
+    boolean slow = scene.size() > AT_ONCE && !scene.isPrepared();
     if (hover == null || slow) {
       return OptionalInt.empty();
     }

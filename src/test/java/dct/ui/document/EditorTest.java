@@ -6,14 +6,19 @@ import dct.core.Progress;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
 import dct.problem.Solution;
+import dct.render.Scene;
 import dct.ui.job.Jobs;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
@@ -203,17 +208,114 @@ class EditorTest {
     SwingUtilities.invokeAndWait(
         () -> {
           for (int i = 1; i <= 50; i++) {
-            sites.preview(many.moved(0, -i, 0));
+            sites.preview(many.moved(0, -i, 0).moved(1, -i, 9));
           }
         });
-    awaitShown(many.moved(0, -50, 0));
+    awaitShown(many.moved(0, -50, 0).moved(1, -50, 9));
     SwingUtilities.invokeAndWait(
         () -> {
-          sites.preview(many.moved(0, -60, 0));
+          sites.preview(many.moved(0, -60, 0).moved(1, -60, 9));
           sites.perform(Edit.move(sites.document(), 0, -70, 0));
         });
     awaitShown(many.moved(0, -70, 0));
     assertThat(jobs.isIdle()).as("nothing older comes after").isTrue();
+  }
+
+  private static final Points MANY =
+      Points.of(
+          new Random(7).doubles(Editor.AT_ONCE + 500).toArray(),
+          new Random(8).doubles(Editor.AT_ONCE + 500).toArray());
+
+  private void loadMany() throws Exception {
+    SwingUtilities.invokeAndWait(() -> sites.load(new Document(Domain.SITES, MANY), "many"));
+    awaitShown(MANY);
+  }
+
+  @Test
+  void whereOneOfManySitesMovesThePictureFollowsAtOnce() throws Exception {
+    loadMany();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          for (int i = 0; i < 30; i++) {
+            Points moved = MANY.moved(40, i / 20.0, 0.4);
+            sites.preview(moved);
+            assertPictureOf(moved);
+            assertThat(jobs.isIdle()).as("nothing is computed in the background").isTrue();
+          }
+          sites.endPreview();
+          assertPictureOf(MANY);
+          assertThat(sites.shown().solution()).as("still known").isPresent();
+          assertThat(jobs.isIdle()).isTrue();
+        });
+  }
+
+  @Test
+  void aDropIsShownAtOnceAndAnalysedInTheBackground() throws Exception {
+    loadMany();
+    Points moved = MANY.moved(40, 0.5, 0.6);
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.preview(moved);
+          sites.perform(Edit.move(sites.document(), 40, 0.5, 0.6));
+          assertPictureOf(moved);
+          assertThat(sites.shown().isWhole()).isFalse();
+        });
+    awaitShown(moved);
+    assertThat(sites.shown().isWhole()).isTrue();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.undo();
+          assertPictureOf(MANY);
+        });
+    awaitShown(MANY);
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.redo();
+          assertPictureOf(moved);
+          sites.undo();
+          assertPictureOf(MANY);
+          assertThat(sites.shown().isWhole()).as("known from before").isTrue();
+        });
+    awaitShown(MANY);
+  }
+
+  @Test
+  void aMoveOfManySitesLeavesTheirFlipsOut() throws Exception {
+    loadMany();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.accept("Perform Flip", sites.document(), flipped());
+          Points moved = MANY.moved(40, 0.5, 0.6);
+          sites.preview(moved);
+          assertPictureOf(moved);
+          sites.endPreview();
+          assertThat(sites.shown().scene().counts()).as("before and after").hasSize(2);
+          assertThat(jobs.isIdle()).isTrue();
+        });
+  }
+
+  @Test
+  void wishesStayBesideAMovedSite() throws Exception {
+    loadMany();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          sites.perform(Edit.wish(sites.document(), 40, Wish.ODD));
+          sites.preview(MANY.moved(40, 0.5, 0.6));
+          assertThat(sites.shown().document().wishes().wish(40)).isEqualTo(Wish.ODD);
+          assertPictureOf(MANY.moved(40, 0.5, 0.6));
+        });
+  }
+
+  /** Of these sites there is one Delaunay triangulation, so that its figures can be compared. */
+  private void assertPictureOf(Points points) {
+    Scene expected = Scene.of(Delaunay.triangulate(Sites.of(points, Progress.NONE), Progress.NONE));
+    Scene scene = sites.shown().scene();
+    assertThat(sites.shown().document().points()).isEqualTo(points);
+    assertThat(scene.points()).isEqualTo(points);
+    assertThat(scene.counts()).isEqualTo(expected.counts());
+    assertThat(scene.edgeCount()).isEqualTo(expected.edgeCount());
+    assertThat(IntStream.range(0, points.size()).filter(v -> scene.ink(v) != expected.ink(v)))
+        .isEmpty();
   }
 
   private void awaitShown(Points points) throws Exception {
