@@ -105,4 +105,10 @@ public enum FileEnding {
         ? typed
         : typed.resolveSibling(typed.getFileName() + dotted());
   }
+
+  /** The file of the same name with this ending in place of its own. */
+  public Path insteadOf(Path file) {
+    String name = file.getFileName().toString();
+    return file.resolveSibling(name.replaceFirst("\\.[A-Za-z]{1,5}$", "") + dotted());
+  }
 }

@@ -1,6 +1,7 @@
 package dct.ui;
 
 import dct.problem.Solution;
+import dct.ui.session.UserFolder;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -10,7 +11,6 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import javax.swing.SwingUtilities;
@@ -38,14 +38,7 @@ final class FaultLog implements Thread.UncaughtExceptionHandler {
 
   /** Where logs belong on a system of this name. */
   static Path folder(String system, Map<String, String> environment, String home) {
-    String lower = system.toLowerCase(Locale.ROOT);
-    if (lower.startsWith("windows")) {
-      return Path.of(environment.getOrDefault("LOCALAPPDATA", home), "dct");
-    }
-    if (lower.startsWith("mac")) {
-      return Path.of(home, "Library", "Logs", "dct");
-    }
-    return Path.of(environment.getOrDefault("XDG_STATE_HOME", home + "/.local/state"), "dct");
+    return UserFolder.of(system, environment, home, "Library/Logs");
   }
 
   /** Keeps a fault; returns what to tell the user. */

@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Opens the first of the files that are dropped on a window. */
+/** Opens the files that are dropped on a window. */
 final class FileDrop extends TransferHandler {
   private static final long serialVersionUID = 1L;
 
-  private final transient Consumer<Path> open;
+  private final transient Consumer<List<Path>> open;
 
-  FileDrop(Consumer<Path> open) {
+  FileDrop(Consumer<List<Path>> open) {
     this.open = open;
   }
 
@@ -24,15 +24,21 @@ final class FileDrop extends TransferHandler {
     return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
   }
 
+  /** Opens these files. */
+  void open(List<Path> files) {
+    open.accept(files);
+  }
+
   @Override
   public boolean importData(TransferSupport support) {
     try {
       Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-      if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-        open.accept(file.toPath());
-        return true;
-      }
-      return false;
+      List<Path> paths =
+          data instanceof List<?> files
+              ? files.stream().map(File.class::cast).map(File::toPath).toList()
+              : List.of();
+      open(paths);
+      return !paths.isEmpty();
     } catch (UnsupportedFlavorException | IOException e) {
       return false; // nothing was dropped that could be opened
     }

@@ -1,30 +1,30 @@
 package dct.ui;
 
 import dct.core.triangulate.Domain;
+import dct.io.FileEnding;
 import dct.io.FileNames;
 import dct.io.FileStamp;
 import dct.ui.DocumentFile.Read;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
+import dct.ui.document.Origin;
+import dct.ui.session.RecentFiles;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 
 /** What the File menu does to the documents. */
 final class FileWork {
   private final JFrame window;
   private final Workbench workbench;
+  private final RecentFiles recent;
   private final Runnable shown;
-  private final Map<Domain, Origin> origins = new EnumMap<>(Domain.class);
   private Optional<Path> folder = Optional.empty(); // used last
-
-  /** The file that a document came from or went to, and what that held then. */
-  private record Origin(Path file, Optional<FileStamp> stamp) {}
 
   /** How an attempt to save ended; not well if another program has changed the file. */
   private record Attempt(boolean isWritten, Optional<FileStamp> stamp) {}
@@ -34,9 +34,10 @@ final class FileWork {
    *
    * @param shown is run when another document was put on the canvas
    */
-  FileWork(JFrame window, Workbench workbench, Runnable shown) {
+  FileWork(JFrame window, Workbench workbench, RecentFiles recent, Runnable shown) {
     this.window = window;
     this.workbench = workbench;
+    this.recent = recent;
     this.shown = shown;
   }
 
@@ -48,12 +49,10 @@ final class FileWork {
 
   /** The folder of the chosen application's document, or else the one that was used last. */
   Optional<Path> folder() {
-    return workbench.domain().flatMap(this::folderOf);
-  }
-
-  private Optional<Path> folderOf(Domain domain) {
-    return Optional.ofNullable(origins.get(domain))
-        .map(origin -> origin.file.toAbsolutePath().getParent())
+    return workbench
+        .active()
+        .flatMap(Editor::origin)
+        .map(origin -> origin.file().toAbsolutePath().getParent())
         .or(() -> folder);
   }
 
@@ -63,7 +62,6 @@ final class FileWork {
   }
 
   private void startAnew(Editor editor) {
-    origins.remove(editor.domain());
     editor.startAnew();
     workbench.chooseDraw();
     shown.run();
@@ -71,7 +69,7 @@ final class FileWork {
 
   /** Asks for a file and opens it. */
   void open() {
-    Chooser.DOCUMENTS.open(window, folder().or(() -> folder)).ifPresent(this::open);
+    Chooser.DOCUMENTS.open(window, folder()).ifPresent(this::open);
   }
 
   /** Opens a file in the application that it belongs to; whatever fails, nothing changes. */
@@ -83,65 +81,87 @@ final class FileWork {
             "Reading " + typed.getFileName(),
             progress -> DocumentFile.read(typed, otherwise, progress),
             this::offer);
-    folder = Optional.ofNullable(typed.toAbsolutePath().getParent());
+    used(typed);
+  }
+
+  private void used(Path file) {
+    folder = Optional.ofNullable(file.toAbsolutePath().getParent());
   }
 
   private void offer(Read read) {
-    unlessLost(workbench.editor(read.document().domain()), () -> show(read));
+    // A dialog waits for its answer; the queue of jobs must not wait with it.
+    Editor editor = workbench.editor(read.document().domain());
+    SwingUtilities.invokeLater(() -> unlessLost(editor, () -> show(read)));
   }
 
   private void show(Read read) {
-    show(read.document(), read.file().getFileName().toString());
-    origins.put(read.document().domain(), new Origin(read.file(), read.stamp()));
-    if (read.merged() > 0) {
-      workbench.say(read.merged() + " sites were there already and have been merged");
+    show(read.document(), read.origin().name(), Optional.of(read.origin()));
+    recent.add(read.origin().file());
+    if (!read.remark().isEmpty()) {
+      workbench.say(read.remark());
     }
   }
 
   /** Opens a sample. */
   void openSample(String name) {
     Document sample = Samples.read(name);
-    unlessLost(
-        workbench.editor(sample.domain()),
-        () -> {
-          show(sample, name);
-          origins.remove(sample.domain());
-        });
+    unlessLost(workbench.editor(sample.domain()), () -> show(sample, name, Optional.empty()));
   }
 
-  private void show(Document document, String name) {
+  private void show(Document document, String name, Optional<Origin> origin) {
     workbench.choose(document.domain());
     workbench.chooseEdit(); // a stray click should not add a vertex to what was opened
-    workbench.editor(document.domain()).load(document, name);
+    workbench.editor(document.domain()).load(document, name, origin);
     shown.run();
   }
 
-  /** Does something that replaces the document; asks first if it has changes or wishes. */
+  /** Does something that replaces the document; asks first if anything of it is not saved. */
   private void unlessLost(Editor editor, Runnable then) {
-    unlessChangesLost(editor, () -> unlessWishesLost(editor, then));
-  }
-
-  private void unlessWishesLost(Editor editor, Runnable then) {
-    String question =
-        editor.name()
-            + " has wished parities that are not saved; Triangulate ▸ Wished Parities… can save"
-            + " them.";
-    if (!editor.history().hasUnsavedWishes()
-        || Ask.confirm(window, "Unsaved Wishes", question, "Discard Wishes")) {
-      then.run();
-    }
-  }
-
-  private void unlessChangesLost(Editor editor, Runnable then) {
-    if (!editor.history().isChanged()) {
+    if (!editor.history().isUnsaved()) {
       then.run();
       return;
     }
-    String question = editor.name() + " has changes that are not saved. Save them?";
-    switch (Ask.choose(window, "Unsaved Changes", question, 0, "Save", "Don't Save", "Cancel")) {
-      case 0 -> save(editor, then);
+    switch (Ask.choose(
+        window,
+        "Unsaved Changes",
+        Unsaved.sentence(editor) + " Save first?",
+        0,
+        "Save",
+        "Don't Save",
+        "Cancel")) {
+      case 0 -> saveAll(editor, then);
       case 1 -> then.run();
       default -> {}
+    }
+  }
+
+  /** The documents of which something is not saved. */
+  List<Editor> unsaved() {
+    return Stream.of(Domain.values())
+        .map(workbench::editor)
+        .filter(editor -> editor.history().isUnsaved())
+        .toList();
+  }
+
+  /** Saves documents one after the other; what comes then comes only if all are saved. */
+  void save(List<Editor> editors, Runnable then) {
+    if (editors.isEmpty()) {
+      then.run();
+    } else {
+      saveAll(editors.get(0), () -> save(editors.subList(1, editors.size()), then));
+    }
+  }
+
+  /**
+   * Saves a document with wishes and result; asks again if the file that is chosen keeps neither.
+   */
+  private void saveAll(Editor editor, Runnable then) {
+    Runnable check = () -> SwingUtilities.invokeLater(() -> unlessLost(editor, then));
+    boolean kept = editor.origin().filter(o -> DocumentFile.keepsAll(o.file())).isPresent();
+    if (Unsaved.needsAll(editor) && !kept) {
+      saveAs(editor, check);
+    } else {
+      save(editor, check);
     }
   }
 
@@ -152,12 +172,17 @@ final class FileWork {
     workbench.active().ifPresent(editor -> save(editor, () -> {}));
   }
 
+  /** Asks where to save the chosen application's document, and saves it. */
+  void saveAs() {
+    workbench.active().ifPresent(editor -> saveAs(editor, () -> {}));
+  }
+
   private void save(Editor editor, Runnable then) {
-    Origin origin = origins.get(editor.domain());
-    if (origin == null) {
-      saveAs(editor, then);
+    Optional<Origin> origin = editor.origin();
+    if (origin.isPresent()) {
+      save(editor, origin.get().file(), origin.get().stamp(), then);
     } else {
-      save(editor, origin.file, origin.stamp, then);
+      saveAs(editor, then);
     }
   }
 
@@ -171,14 +196,16 @@ final class FileWork {
     }
   }
 
+  /** The file that the document has, but one that keeps all of it. */
   private Path suggestion(Editor editor) {
-    Origin origin = origins.get(editor.domain());
-    if (origin != null) {
-      return origin.file;
-    }
-    boolean sample = FileNames.domain(Path.of(editor.name())).isPresent();
-    Path name = Path.of(sample ? editor.name() : "untitled" + FileNames.suffix(editor.domain()));
-    return folder.map(f -> f.resolve(name)).orElse(name);
+    boolean named = FileNames.domain(Path.of(editor.name())).isPresent();
+    String name = named ? editor.name() : "untitled" + FileNames.suffix(editor.domain()) + ".txt";
+    Path file =
+        editor
+            .origin()
+            .map(Origin::file)
+            .orElseGet(() -> folder.map(f -> f.resolve(name)).orElse(Path.of(name)));
+    return Unsaved.needsAll(editor) ? FileEnding.JSON.insteadOf(file) : file;
   }
 
   /**
@@ -188,14 +215,14 @@ final class FileWork {
    */
   private void save(Editor editor, Path file, Optional<FileStamp> expected, Runnable then) {
     Document document = editor.document();
-    folder = Optional.ofNullable(file.toAbsolutePath().getParent());
+    used(file);
     workbench
         .jobs()
         .write(
             "Saving " + file.getFileName(),
             progress -> {
               Optional<FileStamp> there = expected.flatMap(stamp -> FileStamp.of(file));
-              return there.equals(expected) || there.isEmpty()
+              return there.isEmpty() || there.equals(expected)
                   ? new Attempt(true, DocumentFile.write(file, document, progress))
                   : new Attempt(false, there);
             },
@@ -204,18 +231,24 @@ final class FileWork {
                 saved(editor, document, new Origin(file, attempt.stamp), then);
               } else {
                 // A dialog waits for its answer; the queue of jobs must not wait with it.
-                javax.swing.SwingUtilities.invokeLater(() -> askToOverwrite(editor, file, then));
+                SwingUtilities.invokeLater(() -> askToOverwrite(editor, file, then));
               }
             });
   }
 
   private void saved(Editor editor, Document document, Origin origin, Runnable then) {
-    origins.put(editor.domain(), origin);
-    editor.saved(document, origin.file);
-    if (DocumentFile.keepsAll(origin.file)) {
-      editor.wishesSaved(document);
+    recent.add(origin.file());
+    String kept = "";
+    if (DocumentFile.keepsAll(origin.file())) {
+      editor.wholeSaved(document, origin);
+    } else {
+      editor.saved(document, origin);
+      kept =
+          Unsaved.needsAll(editor)
+              ? "; Save As with a name that ends in .json keeps wishes and triangulation, too"
+              : "";
     }
-    workbench.say("Saved " + origin.file);
+    workbench.say("Saved " + origin.file() + kept);
     then.run();
   }
 
@@ -229,14 +262,5 @@ final class FileWork {
       case 1 -> saveAs(editor, then);
       default -> {}
     }
-  }
-
-  /** The documents that have changes which are not saved. */
-  List<String> unsaved() {
-    return List.of(Domain.values()).stream()
-        .map(workbench::editor)
-        .filter(editor -> editor.history().isChanged() || editor.history().hasUnsavedWishes())
-        .map(Editor::name)
-        .toList();
   }
 }

@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.session.Orphan;
+import dct.ui.session.Session;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.SwingUtilities;
@@ -23,14 +25,21 @@ public final class Launcher {
   }
 
   private static void openWindows(List<Path> files) {
-    Look.setUp();
+    Session session = Session.ofUser();
+    Look.setUp(session.settings());
+    Windows windows = new Windows(session);
     if (files.isEmpty()) {
-      new MainWindow().setVisible(true);
+      windows.openWindow();
+    } else {
+      windows.open(files);
     }
-    for (Path file : files) {
-      MainWindow window = new MainWindow();
-      window.setVisible(true);
-      window.open(file);
-    }
+    Thread search = new Thread(() -> recover(session, windows), "recovery");
+    search.setDaemon(true);
+    search.start();
+  }
+
+  private static void recover(Session session, Windows windows) {
+    List<Orphan> orphans = session.journals().orphans();
+    SwingUtilities.invokeLater(() -> windows.offer(orphans));
   }
 }

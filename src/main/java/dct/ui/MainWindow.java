@@ -1,17 +1,23 @@
 package dct.ui;
 
 import dct.core.Decimals;
-import dct.core.geometry.Defect;
 import dct.core.triangulate.Domain;
+import dct.render.Labels;
 import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.canvas.ToolMouse;
 import dct.ui.command.CommandMenu;
 import dct.ui.command.CommandRegistry;
+import dct.ui.document.Document;
+import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
 import dct.ui.job.Jobs;
+import dct.ui.session.Journal;
+import dct.ui.session.Orphan;
+import dct.ui.session.Session;
+import dct.ui.session.Settings;
 import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
@@ -24,6 +30,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -43,33 +50,49 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient StudyWork studies;
   private final transient FlipCommands flips;
   private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
+  private final transient Session session;
+  private final transient List<Journal> journals;
+  private final transient CrossingWork crossings;
+  private final transient Closing closing;
   private transient Editor last; // what was shown before
-  private boolean leaving; // as soon as all files are written
 
   /** A window that is not visible yet, with no application chosen. */
-  public MainWindow() {
+  MainWindow(Session session, WindowHost host) {
     super(PROGRAM);
+    this.session = session;
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs()::cancelCurrent);
     results = new ResultFrames(workbench, this, canvas::labels, this::folder);
-    files = new FileWork(this, workbench, this::showOpened);
+    files = new FileWork(this, workbench, session.recent(), this::showOpened);
+    crossings = new CrossingWork(workbench, canvas);
+    closing = new Closing(this, workbench, files, host, this::closeForGood);
+    journals = Stream.of(Domain.values()).map(this::journal).toList();
     studies = new StudyWork(this, canvas, workbench.jobs());
-    offerCommands();
+    offerCommands(host);
     flips = offerFlips();
     commands.bindKeys(getRootPane());
     east = new EastPanel(workbench, commands);
     setJMenuBar(CommandMenu.bar(MenuTable.MAIN, commands));
     layOut();
-    listen();
+    listen(host);
+    restoreView();
     refresh();
-    Placement.centre(this);
   }
 
-  private void offerCommands() {
+  private Journal journal(Domain domain) {
+    return session
+        .journals()
+        .of(
+            workbench.editor(domain),
+            e -> SwingUtilities.invokeLater(() -> say("Edits are not kept for a crash: " + e)));
+  }
+
+  private void offerCommands(WindowHost host) {
     ModeCommands.offer(commands, workbench);
     EditCommands.offer(commands, workbench);
-    FileCommands.offer(commands, files, canvas, this::close);
+    crossings.offer(commands);
+    FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);
     TriangulateCommands.offer(
         commands,
         workbench,
@@ -108,7 +131,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     add(east, BorderLayout.EAST);
   }
 
-  private void listen() {
+  private void listen(WindowHost host) {
     setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
     addWindowListener(
         new WindowAdapter() {
@@ -121,6 +144,11 @@ public final class MainWindow extends JFrame implements CommandWindow {
           public void windowClosing(WindowEvent e) {
             exit();
           }
+
+          @Override
+          public void windowDeactivated(WindowEvent e) {
+            remember();
+          }
         });
     new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
@@ -128,7 +156,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     workbench.flips().addListener(this::refresh);
     workbench.addListener(results::refresh);
     workbench.jobs().setListener(new JobListener());
-    setTransferHandler(new FileDrop(files::open));
+    setTransferHandler(new FileDrop(dropped -> open(dropped, host)));
   }
 
   private void giveUp() {
@@ -143,7 +171,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
 
   private void mouseAt(Spot spot) {
     canvas.setCorner("x " + Decimals.format(spot.x()) + "   y " + Decimals.format(spot.y()));
-    status.setHint(workbench.hint());
+    showHint();
+  }
+
+  private void showHint() {
+    String hint = crossings.hint().orElseGet(workbench::hint);
+    status.setHint(hint, workbench.active().map(Editor::document).orElse(null));
   }
 
   private void say(String message) {
@@ -163,7 +196,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));
     commands.refresh();
     east.refresh();
-    status.setHint(workbench.hint());
+    showHint();
     setTitle(title());
   }
 
@@ -194,7 +227,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private String title() {
     return workbench
         .active()
-        .map(e -> (e.history().isChanged() ? "*" : "") + e.name() + " – " + PROGRAM)
+        .map(e -> (e.history().isUnsaved() ? "*" : "") + e.name() + " – " + PROGRAM)
         .orElse(PROGRAM);
   }
 
@@ -203,44 +236,64 @@ public final class MainWindow extends JFrame implements CommandWindow {
     canvas.showWell();
   }
 
-  private void goTo(Defect defect) {
-    workbench.choose(Domain.POLYGON);
-    workbench.chooseEdit();
-    canvas.setViewport(
-        canvas
-            .viewport()
-            .showing(defect.x(), defect.y(), canvas.getWidth() / 2.0, canvas.getHeight() / 2.0));
-  }
-
   /** Opens a file, as File ▸ Open does. */
   public void open(Path file) {
     files.open(file);
   }
 
-  /** Asks, and closes this window and its results, once what is being saved is in its file. */
-  void exit() {
-    if (workbench.jobs().isWriting() && !leaving) {
-      leaving = true;
-      say("Closing as soon as what is being saved is in its file; Exit again asks at once");
-      workbench.jobs().write("Closing", progress -> true, written -> askToLeave());
-    } else {
-      askToLeave();
+  private void open(List<Path> dropped, WindowHost host) {
+    dropped.stream().findFirst().ifPresent(files::open);
+    host.open(dropped.stream().skip(1).toList());
+  }
+
+  /** Whether this application of the window has nothing in it that would have to give way. */
+  boolean isFree(Domain domain) {
+    Editor editor = workbench.editor(domain);
+    return editor.document().size() == 0 && !editor.history().isUnsaved();
+  }
+
+  /** Shows a drawing that was not saved when the program was killed; it still is not. */
+  void recover(Orphan orphan) {
+    Document document = orphan.document();
+    Document empty = Document.empty(document.domain());
+    workbench.choose(document.domain());
+    workbench.chooseEdit();
+    Editor editor = workbench.editor(document.domain());
+    editor.load(empty, orphan.name(), orphan.origin());
+    editor.perform(new Edit.Replace("Recover Drawing", empty, document));
+    showOpened();
+    say("Recovered " + orphan.name() + ", which is not saved yet");
+  }
+
+  private void restoreView() {
+    Settings settings = session.settings();
+    canvas.setLabels(new Labels(settings.isOn("labels.numbers"), settings.isOn("labels.degrees")));
+    if (settings.isOn("view.yUp")) {
+      canvas.setViewport(canvas.viewport().flipped(0, 0));
     }
   }
 
-  private void askToLeave() {
-    leaving = false;
-    List<String> unsaved = files.unsaved();
-    String question =
-        unsaved.isEmpty()
-            ? "Close the application?"
-            : "Changes are not saved in: " + String.join(", ", unsaved) + ". Close all the same?";
-    if (Ask.confirm(this, "Exit", question, "Exit")) {
-      results.dispose();
-      studies.dispose();
-      workbench.jobs().shutDown();
-      dispose();
-    }
+  /** Tells the settings how this window looks. */
+  private void remember() {
+    Settings settings = session.settings();
+    settings.put("labels.numbers", canvas.labels().numbers());
+    settings.put("labels.degrees", canvas.labels().degrees());
+    settings.put("view.yUp", canvas.viewport().yUp());
+    Placement.remember(this, settings);
+  }
+
+  /** Asks, and closes this window and its results, once what is being saved is in its file. */
+  void exit() {
+    closing.begin();
+  }
+
+  private void closeForGood() {
+    remember();
+    journals.forEach(Journal::end);
+    results.dispose();
+    studies.dispose();
+    workbench.jobs().shutDown();
+    dispose();
   }
 
   /** Closes the window as its close button does, which asks first. */
@@ -278,7 +331,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     public void failed(String what, Throwable cause) {
       // A dialog waits for its answer; the queue must not wait with it.
       SwingUtilities.invokeLater(
-          () -> new Failures(MainWindow.this, MainWindow.this::goTo).show(what, cause));
+          () -> new Failures(MainWindow.this, crossings::goTo).show(what, cause));
     }
   }
 }

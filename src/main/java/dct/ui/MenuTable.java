@@ -50,7 +50,18 @@ final class MenuTable {
   static final List<Plan> MAIN =
       List.of(
           Plan.of(
-              "File", "New", "Open", "Open Sample", "Save", LINE, "Export Picture", LINE, "Exit"),
+              "File",
+              "New",
+              "New Window",
+              "Open",
+              "Open Recent",
+              "Open Sample",
+              "Save",
+              "Save As",
+              LINE,
+              "Export Picture",
+              LINE,
+              "Exit"),
           Plan.of(
               "Edit",
               "Undo",
@@ -62,6 +73,10 @@ final class MenuTable {
               "Split Vertex",
               "Wish Parity",
               "Flip Edge",
+              LINE,
+              "Go to Crossing",
+              "Untangle",
+              "Use as Sites",
               LINE,
               "Clear Canvas"),
           Plan.of(

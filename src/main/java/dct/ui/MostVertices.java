@@ -17,6 +17,13 @@ enum MostVertices {
     this.description = description;
   }
 
+  /** The title of a result that was made for this goal, whichever it is. */
+  static String title(ParityGoal goal) {
+    return goal.equals(EVEN.goal(goal.size()))
+        ? EVEN.title
+        : goal.equals(ODD.goal(goal.size())) ? ODD.title : "Wished Parities";
+  }
+
   String title() {
     return title;
   }

@@ -25,6 +25,8 @@ final class StatusBar extends JPanel {
   private final JPanel running = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
   private final Timer patience;
   private String hint = "";
+  private transient Object state; // of the document when the message was shown
+  private transient Object latest; // as it is now
 
   StatusBar(Runnable cancel) {
     super(new BorderLayout(12, 0));
@@ -52,16 +54,22 @@ final class StatusBar extends JPanel {
     patience.setRepeats(false);
   }
 
-  /** Shows what the next click does, unless it is what was shown before: then a message stays. */
-  void setHint(String text) {
-    if (!text.equals(hint)) {
+  /**
+   * Shows what the next click does. A message stays until there is something else to show: another
+   * hint, or another state of the document.
+   */
+  void setHint(String text, Object document) {
+    latest = document;
+    if (!text.equals(hint) || latest != state) {
       hint = text;
+      state = latest;
       message.setText(text);
     }
   }
 
-  /** Shows a message until the hint changes. */
+  /** Shows a message about the document as it is. */
   void say(String text) {
+    state = latest;
     message.setText(text);
   }
 

@@ -3,11 +3,14 @@ package dct.docs;
 import dct.ui.Look;
 import dct.ui.MainWindow;
 import dct.ui.ResultFrame;
+import dct.ui.Windows;
+import dct.ui.session.Session;
 import java.awt.Frame;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Window;
 import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -38,8 +41,8 @@ public final class WindowPicture {
         onEventThread(
             () -> {
               Look.setUp();
-              MainWindow opened = new MainWindow();
-              opened.setVisible(true);
+              Path state = Files.createTempDirectory("dct");
+              MainWindow opened = new Windows(Session.in(state)).openWindow();
               opened.setBounds(MAIN);
               opened.open(Path.of("samples", "figure_3_09_convex_pieces_polygonbased.txt"));
               return opened;

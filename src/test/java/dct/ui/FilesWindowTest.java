@@ -362,7 +362,7 @@ class FilesWindowTest extends WindowTest {
     assertThat(window.isShowing()).isTrue();
     toFront();
     menu("Exit");
-    robot.click(dialog().buttonWithText("Exit").target());
+    robot.click(dialog().buttonWithText("Don't Save").target());
     await("the window is closed", () -> !window.isShowing() && !result.isShowing());
   }
 
@@ -441,7 +441,7 @@ class FilesWindowTest extends WindowTest {
     answer(dialog, "Cancel");
     assertThat(points()).isEqualTo(TRIANGLE);
     menu("New");
-    answer(dialog(), "Discard Wishes");
+    answer(dialog(), "Don't Save");
     assertThat(points().size()).isZero();
   }
 

@@ -7,6 +7,7 @@ import dct.core.triangulate.Triangulation;
 import dct.render.Ink;
 import dct.render.Theme;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.session.Session;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.Frame;
@@ -15,6 +16,7 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Window;
 import java.awt.image.BufferedImage;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -32,6 +34,7 @@ import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A real main window, used with a real mouse and keyboard. */
 @Tag("gui")
@@ -42,6 +45,9 @@ abstract class WindowTest {
     GuiToolkit.load();
   }
 
+  @TempDir Path state; // what the program would keep in the user's own folder
+
+  Session session;
   org.assertj.swing.core.Robot robot;
   private final InputLog input = new InputLog();
   MainWindow window;
@@ -59,8 +65,9 @@ abstract class WindowTest {
     window =
         GuiActionRunner.execute(
             () -> {
-              Look.setUp();
-              return new MainWindow();
+              session = Session.in(state);
+              Look.setUp(session.settings());
+              return new Windows(session).openWindow();
             });
     frame = new FrameFixture(robot, window);
     frame.show();
@@ -69,7 +76,7 @@ abstract class WindowTest {
   }
 
   @AfterEach
-  void closeWindow() {
+  void closeWindow() throws InterruptedException {
     input.stop();
     robot.cleanUp();
     onEventThread(
@@ -78,6 +85,7 @@ abstract class WindowTest {
           Arrays.stream(Window.getWindows()).forEach(Window::dispose);
           return null;
         });
+    session.journals().await(); // lest the folder be removed before
   }
 
   CanvasPanel canvas() {

@@ -4,7 +4,6 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.ui.job.Jobs;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -25,7 +24,7 @@ public final class Editor {
   private final List<Runnable> listeners = new ArrayList<>();
   private History history;
   private String name;
-  private Optional<Path> file = Optional.empty();
+  private Optional<Origin> origin = Optional.empty();
   private Document provisional; // while a drag lasts, else null
   private Analysis shown;
   private final LivePicture live = new LivePicture(); // of large sets of sites
@@ -76,8 +75,8 @@ public final class Editor {
   }
 
   /** The file that the document was opened from or saved to. */
-  public Optional<Path> file() {
-    return file;
+  public Optional<Origin> origin() {
+    return origin;
   }
 
   /** Begins an empty document without a file. */
@@ -85,23 +84,34 @@ public final class Editor {
     load(Document.empty(domain), "New " + domain.title());
   }
 
-  /** Begins with this document, its history empty. */
+  /** Begins with this document, which has no file, its history empty. */
   public void load(Document document, String newName) {
+    load(document, newName, Optional.empty());
+  }
+
+  /** Begins with this document, its history empty. */
+  public void load(Document document, String newName, Optional<Origin> from) {
     history = new History(document);
     name = newName;
-    file = Optional.empty();
+    origin = from;
     provisional = null;
     shown = Analysis.pending(document, growing);
     live.forget();
     analyse();
   }
 
-  /** Says that a state of the document is what this file holds. */
-  public void saved(Document document, Path newFile) {
+  /** Says that the points of a state of the document are what this file holds. */
+  public void saved(Document document, Origin to) {
     history.markSaved(document);
-    file = Optional.of(newFile);
-    name = newFile.getFileName().toString();
+    origin = Optional.of(to);
+    name = to.name();
     changed();
+  }
+
+  /** Says that this file holds all of a state of the document: also its wishes and its result. */
+  public void wholeSaved(Document document, Origin to) {
+    history.markWholeSaved(document);
+    saved(document, to);
   }
 
   /** Applies an edit. */

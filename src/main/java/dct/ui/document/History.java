@@ -115,6 +115,11 @@ public final class History {
     savedResult = document.result();
   }
 
+  /** Whether anything would be lost with the document. */
+  public boolean isUnsaved() {
+    return isChanged() || hasUnsavedWishes() || hasUnsavedResult();
+  }
+
   /** Whether the points differ from the saved ones. */
   public boolean isChanged() {
     return !present.points().equals(saved);

@@ -138,6 +138,11 @@ public final class Jobs {
     return waiting.stream().anyMatch(Job::isWrite);
   }
 
+  /** The searches and other long work, running or waiting, by what they do. */
+  public List<String> work() {
+    return waiting.stream().filter(job -> job.lane == Lane.WORK).map(Job::what).toList();
+  }
+
   /** Whether nothing is running or waiting. */
   public boolean isIdle() {
     return waiting.isEmpty();

@@ -178,7 +178,8 @@ class EditorTest {
   void savingNamesTheDocument() {
     load(0, 0, 9, 0, 4, 7);
     sites.perform(Edit.draw(sites.document(), 1, 1));
-    sites.saved(sites.document(), Path.of("folder", "mine_pointbased.txt"));
+    sites.saved(
+        sites.document(), new Origin(Path.of("folder", "mine_pointbased.txt"), Optional.empty()));
     assertThat(sites.name()).isEqualTo("mine_pointbased.txt");
     assertThat(sites.history().isChanged()).isFalse();
   }

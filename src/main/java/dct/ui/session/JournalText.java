@@ -1,0 +1,240 @@
+package dct.ui.session;
+
+import dct.core.Decimals;
+import dct.core.degree.ParityGoal;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.io.FileStamp;
+import dct.problem.verify.WishLetters;
+import dct.ui.document.Document;
+import dct.ui.document.Origin;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The lines of a journal. A head says whose drawing it is; then come steps, each of which says
+ * which vertices it takes out and puts in, and ends with a line of its own:
+ *
+ * <pre>
+ * dct-journal/1
+ * kind polygon
+ * name a_polygonbased.txt
+ * step 2 0 1
+ * 300 400 e
+ * end
+ * </pre>
+ *
+ * <p>A step that is not whole does not count: it was being written when the program was killed.
+ */
+final class JournalText {
+  private static final String FORMAT = "dct-journal/1";
+  private static final String STEP = "step";
+  private static final String RESULT = "result";
+  private static final String END = "end";
+
+  private JournalText() {}
+
+  /**
+   * What a journal says.
+   *
+   * @param view of the result that lies beside the journal; nothing if there is none
+   * @param title of that result
+   */
+  record Content(
+      Document document,
+      String name,
+      Optional<Origin> origin,
+      Optional<Integer> view,
+      String title) {}
+
+  /** The head of a journal. */
+  static String head(Document document, String name, Optional<Origin> origin) {
+    StringBuilder text = new StringBuilder(FORMAT + "\nkind " + document.domain().word() + "\n");
+    text.append("name ").append(line(name)).append('\n');
+    origin.ifPresent(
+        from -> {
+          text.append("file ").append(from.file().toUri()).append('\n');
+          from.stamp().ifPresent(s -> text.append("stamp ").append(s.digest()).append('\n'));
+        });
+    return text.toString();
+  }
+
+  private static String line(String name) {
+    return name.replaceAll("[\\r\\n]", " ");
+  }
+
+  /** The step from one document to another: what lies between the vertices that both share. */
+  static String step(Document before, Document after) {
+    int least = Math.min(before.size(), after.size());
+    int head = 0;
+    while (head < least && same(before, head, after, head)) {
+      head++;
+    }
+    int tail = 0;
+    while (tail < least - head
+        && same(before, before.size() - 1 - tail, after, after.size() - 1 - tail)) {
+      tail++;
+    }
+    StringBuilder text = new StringBuilder(STEP + " " + head);
+    text.append(' ').append(before.size() - head - tail);
+    text.append(' ').append(after.size() - head - tail).append('\n');
+    String letters = WishLetters.of(after.wishes());
+    for (int v = head; v < after.size() - tail; v++) {
+      Decimals.append(text, after.points().x(v));
+      text.append(' ');
+      Decimals.append(text, after.points().y(v));
+      text.append(' ').append(letters.charAt(v)).append('\n');
+    }
+    return text.append(END + "\n").toString();
+  }
+
+  private static boolean same(Document one, int v, Document other, int w) {
+    return one.points().x(v) == other.points().x(w)
+        && one.points().y(v) == other.points().y(w)
+        && one.wishes().wish(v) == other.wishes().wish(w);
+  }
+
+  /** Says that a result of the vertices as they are lies beside the journal. */
+  static String result(int view, String title) {
+    return RESULT + " " + view + " " + line(title) + "\n" + END + "\n";
+  }
+
+  /** The state after the last whole step; nothing if there is none. */
+  static Optional<Content> read(BufferedReader in) throws IOException {
+    Reader reader = new Reader(in);
+    try {
+      reader.head();
+      while (reader.step()) {
+        // one after the other
+      }
+    } catch (IllegalArgumentException e) {
+      // what was read before it counts
+    }
+    return reader.content();
+  }
+
+  /** Reads one journal. */
+  private static final class Reader {
+    private final BufferedReader in;
+    private final Map<String, String> head = new HashMap<>();
+    private final List<String> vertices = new ArrayList<>(); // as they stand in their lines
+    private String line;
+    private int steps;
+    private Optional<Integer> view = Optional.empty();
+    private String title = "";
+
+    Reader(BufferedReader in) {
+      this.in = in;
+    }
+
+    private String next() throws IOException {
+      line = in.readLine();
+      return line;
+    }
+
+    void head() throws IOException {
+      require(FORMAT.equals(next()));
+      while (next() != null && !line.startsWith(STEP + " ")) {
+        int gap = line.indexOf(' ');
+        require(gap > 0);
+        head.put(line.substring(0, gap), line.substring(gap + 1));
+      }
+    }
+
+    /** Reads the step that the line begins; false if there is none that is whole. */
+    boolean step() throws IOException {
+      if (line == null) {
+        return false;
+      }
+      String[] words = line.split(" ", 4);
+      require(words.length >= 3);
+      return words[0].equals(RESULT) ? result(words) : change(words);
+    }
+
+    private boolean result(String[] words) throws IOException {
+      int number = Integer.parseInt(words[1]);
+      String said = line.substring(RESULT.length() + words[1].length() + 2);
+      if (!END.equals(next())) {
+        return false;
+      }
+      view = Optional.of(number);
+      title = said;
+      next();
+      return true;
+    }
+
+    private boolean change(String[] words) throws IOException {
+      require(words[0].equals(STEP) && words.length == 4);
+      int at = Integer.parseInt(words[1]);
+      int removed = Integer.parseInt(words[2]);
+      int inserted = Integer.parseInt(words[3]);
+      require(at >= 0 && removed >= 0 && at + removed <= vertices.size());
+      List<String> lines = new ArrayList<>();
+      for (int i = 0; i < inserted && next() != null; i++) {
+        lines.add(line);
+      }
+      if (!END.equals(next())) {
+        return false;
+      }
+      vertices.subList(at, at + removed).clear();
+      vertices.addAll(at, lines);
+      steps++;
+      view = Optional.empty(); // the result was of other vertices
+      next();
+      return true;
+    }
+
+    private static void require(boolean holds) {
+      if (!holds) {
+        throw new IllegalArgumentException("this is no line of a journal");
+      }
+    }
+
+    Optional<Content> content() {
+      Optional<Domain> domain = Domain.parse(head.getOrDefault("kind", ""));
+      return steps == 0 ? Optional.empty() : domain.flatMap(this::content);
+    }
+
+    private Optional<Content> content(Domain domain) {
+      try {
+        Document document = document(domain);
+        return Optional.of(
+            new Content(document, head.getOrDefault("name", ""), origin(), view, title));
+      } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+        return Optional.empty(); // no vertices after all
+      }
+    }
+
+    private Document document(Domain domain) {
+      int n = vertices.size();
+      double[] x = new double[n];
+      double[] y = new double[n];
+      StringBuilder letters = new StringBuilder(n);
+      for (int v = 0; v < n; v++) {
+        String[] words = vertices.get(v).split(" ", 3);
+        x[v] = Decimals.parse(words[0]);
+        y[v] = Decimals.parse(words[1]);
+        letters.append(words[2]);
+      }
+      ParityGoal wishes =
+          WishLetters.parse(letters.toString())
+              .filter(goal -> goal.size() == n)
+              .orElseThrow(() -> new IllegalArgumentException("a vertex has no wish"));
+      return new Document(domain, Points.of(x, y), wishes);
+    }
+
+    private Optional<Origin> origin() {
+      return Optional.ofNullable(head.get("file"))
+          .map(uri -> Path.of(URI.create(uri)))
+          .map(
+              file -> new Origin(file, Optional.ofNullable(head.get("stamp")).map(FileStamp::new)));
+    }
+  }
+}

@@ -1,0 +1,243 @@
+package dct.ui.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.SearchLimits;
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.io.FileStamp;
+import dct.problem.Method;
+import dct.problem.Solution;
+import dct.ui.document.Document;
+import dct.ui.document.Edit;
+import dct.ui.document.Editor;
+import dct.ui.document.Origin;
+import dct.ui.document.Result;
+import dct.ui.job.Jobs;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What an editor holds and no file does is in its journal. */
+class JournalTest {
+  @TempDir Path folder;
+  private final Lane lane = new Lane();
+  private final List<IOException> failures = new ArrayList<>();
+  private Editor editor;
+
+  @BeforeEach
+  void begin() throws Exception {
+    SwingUtilities.invokeAndWait(
+        () -> {
+          editor = new Editor(Domain.POLYGON, new Jobs());
+          new Journals(folder, lane).of(editor, failures::add);
+        });
+  }
+
+  private void edit(Runnable edits) throws Exception {
+    SwingUtilities.invokeAndWait(edits);
+    lane.await();
+    assertThat(failures).isEmpty();
+  }
+
+  private void perform(Edit edit) throws Exception {
+    edit(() -> editor.perform(edit));
+  }
+
+  private List<Path> files() throws IOException {
+    try (Stream<Path> all = Files.list(folder)) {
+      return all.toList();
+    }
+  }
+
+  /** The text of the one journal that there is. */
+  private String text() throws IOException {
+    Path journal =
+        files().stream().filter(f -> f.toString().endsWith(".journal")).findFirst().orElseThrow();
+    return Files.readString(journal);
+  }
+
+  /** What comes back of journals that a program left which was killed: copies without a lease. */
+  private List<Orphan> comingBack(Path copies, String... texts) throws IOException {
+    Files.createDirectories(copies);
+    for (int i = 0; i < texts.length; i++) {
+      Files.writeString(copies.resolve(i + ".journal"), texts[i]);
+    }
+    return new Journals(copies, lane).orphans();
+  }
+
+  private Document back() throws IOException {
+    Path copies = Files.createTempDirectory(folder, "copies");
+    return comingBack(copies, text()).get(0).document();
+  }
+
+  @Test
+  void everyKindOfEditComesBack() throws Exception {
+    Random random = new Random(3);
+    for (int i = 0; i < 60; i++) {
+      Document document = editor.document();
+      int n = document.size();
+      int v = n == 0 ? 0 : random.nextInt(n);
+      double x = random.nextDouble() * 1e-7;
+      perform(
+          switch (n < 3 ? 0 : random.nextInt(6)) {
+            case 0 -> Edit.draw(document, x, i / 3.0);
+            case 1 -> Edit.split(v, x, -i);
+            case 2 -> Edit.delete(document, v);
+            case 3 -> Edit.move(document, v, 1e300, x);
+            case 4 -> Edit.wish(document, v, i % 2 == 0 ? Wish.ANY : Wish.ODD);
+            default ->
+                Edit.replace(
+                    "Random", document, Points.ofPairs(random.doubles(2L + 2 * v).toArray()));
+          });
+      assertThat(back()).as("edit " + i).isEqualTo(editor.document());
+      if (i % 7 == 6) {
+        edit(editor::undo);
+        assertThat(back()).as("undone " + i).isEqualTo(editor.document());
+      }
+    }
+  }
+
+  @Test
+  void smallEditsOfManyVerticesAreSmall() throws Exception {
+    Points many = Points.ofPairs(new Random(1).doubles(200_000).toArray());
+    perform(Edit.replace("Many", editor.document(), many));
+    int whole = text().length();
+    perform(Edit.move(editor.document(), 50_000, 3, 4));
+    perform(Edit.delete(editor.document(), 7));
+    assertThat(text().length() - whole).isLessThan(100);
+    assertThat(back()).isEqualTo(editor.document());
+  }
+
+  @Test
+  void aLineWrittenByHalfIsIgnored() throws Exception {
+    perform(Edit.draw(editor.document(), 10, 20));
+    perform(Edit.draw(editor.document(), 30, 40));
+    String before = text();
+    Document two = editor.document();
+    perform(Edit.draw(editor.document(), 50, 60));
+    String after = text();
+    for (int end = before.length(); end < after.length() - 1; end++) {
+      Path copies = Files.createTempDirectory(folder, "half");
+      boolean whole = after.substring(0, end).endsWith("\nend");
+      assertThat(comingBack(copies, after.substring(0, end)).get(0).document())
+          .as(after.substring(before.length(), end))
+          .isEqualTo(whole ? editor.document() : two);
+    }
+  }
+
+  @Test
+  void whatIsNoJournalIsNeitherOfferedNorKept() throws Exception {
+    Path copies = folder.resolve("strange");
+    List<Orphan> orphans =
+        comingBack(
+            copies,
+            "",
+            "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 2",
+            "dct-journal/1\nkind circle\nname a\nstep 0 0 1\n1 2 e\nend\n",
+            "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 two e\nend\n",
+            "dct-journal/1\nkind polygon\nname a\nstep 5 0 1\n1 2 e\nend\n",
+            "\0\0\0\0");
+    assertThat(orphans).isEmpty();
+    assertThat(copies).isEmptyDirectory();
+  }
+
+  @Test
+  void anOptimumComesBackWithItsCertificate() throws Exception {
+    perform(
+        Edit.replace("Seven", editor.document(), Points.ofPairs(0, 0, 9, 1, 12, 6, 8, 11, 1, 9)));
+    Document document = editor.document();
+    Solution best =
+        Solution.of(document.instance("a", Progress.NONE), Method.MONOTONE, Progress.NONE)
+            .optimized(SearchLimits.DEFAULT, Progress.NONE);
+    edit(() -> editor.accept("Most Even Vertices", document, Result.of(3, "Best", best)));
+    Path copies = Files.createTempDirectory(folder, "copies");
+    Path result =
+        files().stream().filter(f -> f.toString().endsWith(".json")).findFirst().orElseThrow();
+    Files.copy(result, copies.resolve("0.json"));
+    Result back = comingBack(copies, text()).get(0).document().result().orElseThrow();
+    assertThat(back.title()).isEqualTo("Best");
+    assertThat(back.solution().optimum().orElseThrow().bound())
+        .isEqualTo(best.optimum().orElseThrow().bound());
+    perform(Edit.move(editor.document(), 0, -1, -1));
+    assertThat(back().result()).isEmpty();
+    edit(editor::undo);
+    assertThat(text()).endsWith("result 3 Best\nend\n");
+  }
+
+  @Test
+  void itIsGoneAsSoonAsNothingWouldBeLost() throws Exception {
+    perform(Edit.draw(editor.document(), 10, 20));
+    assertThat(files()).hasSize(2);
+    edit(() -> editor.saved(editor.document(), new Origin(Path.of("a.txt"), Optional.empty())));
+    assertThat(files()).isEmpty();
+    perform(Edit.draw(editor.document(), 30, 40));
+    assertThat(files()).hasSize(2);
+    edit(editor::startAnew);
+    assertThat(files()).isEmpty();
+  }
+
+  @Test
+  void theFileThatWasOpenedIsRemembered() throws Exception {
+    Path file = folder.resolve("a b ü.txt").toAbsolutePath();
+    Origin origin = new Origin(file, Optional.of(new FileStamp("00ff")));
+    Document start = new Document(Domain.POLYGON, Points.ofPairs(1, 2));
+    edit(() -> editor.load(start, "a\nb", Optional.of(origin)));
+    perform(Edit.draw(start, 3, 4));
+    Orphan orphan = comingBack(folder.resolve("copies"), text()).get(0);
+    assertThat(orphan.name()).isEqualTo("a b");
+    assertThat(orphan.origin()).contains(origin);
+  }
+
+  @Test
+  void thoseOfALivingProgramAreNotOffered() throws Exception {
+    perform(Edit.draw(editor.document(), 10, 20));
+    assertThat(new Journals(folder, lane).orphans()).isEmpty();
+  }
+
+  @Test
+  void whatIsLeftIsOfferedAgainAndWhatIsDiscardedIsNot() throws Exception {
+    perform(Edit.draw(editor.document(), 10, 20));
+    Path copies = folder.resolve("copies");
+    Orphan orphan = comingBack(copies, text()).get(0);
+    assertThat(new Journals(copies, lane).orphans()).isEmpty();
+    orphan.leave();
+    lane.await();
+    Orphan again = new Journals(copies, lane).orphans().get(0);
+    again.discard();
+    lane.await();
+    assertThat(copies).isEmptyDirectory();
+  }
+
+  @Test
+  void aFolderThatCannotBeWrittenIsReportedAndTheOrphanStays() throws Exception {
+    perform(Edit.draw(editor.document(), 10, 20));
+    Path copies = folder.resolve("copies");
+    Orphan orphan = comingBack(copies, text()).get(0);
+    Path blocked = folder.resolve("blocked");
+    Files.write(blocked, "a file".getBytes(StandardCharsets.UTF_8));
+    List<IOException> told = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          Editor other = new Editor(Domain.POLYGON, new Jobs());
+          new Journals(blocked, lane).of(other, told::add);
+          other.perform(Edit.draw(other.document(), 1, 1));
+        });
+    orphan.handOver();
+    lane.await();
+    assertThat(told).hasSize(1);
+    assertThat(copies.resolve("0.journal")).exists();
+  }
+}
