@@ -46,23 +46,18 @@ final class SceneDifference {
   }
 
   private void edges() {
-    for (Edge edge : without(removed(before), removed(now))) {
-      line(now, edge);
+    Set<Edge> gone = removed(now);
+    Set<Edge> goneBefore = removed(before);
+    without(gone, goneBefore).forEach(edge -> line(before, edge));
+    without(goneBefore, gone).forEach(edge -> line(now, edge));
+    Set<Edge> there = added(now);
+    Set<Edge> thereBefore = added(before);
+    if (!isSamePlace()) { // edges of the site between the same two are others
+      there.stream().filter(this::isAtSite).forEach(edge -> line(now, edge));
+      thereBefore.stream().filter(this::isAtSite).forEach(edge -> line(before, edge));
     }
-    for (Edge edge : without(removed(now), removed(before))) {
-      line(before, edge);
-    }
-    boolean elsewhere = !isSamePlace();
-    for (Edge edge : added(now)) {
-      if (!added(before).contains(edge) || (elsewhere && isAtSite(edge))) {
-        line(now, edge);
-      }
-    }
-    for (Edge edge : added(before)) {
-      if (!added(now).contains(edge) || (elsewhere && isAtSite(edge))) {
-        line(before, edge);
-      }
-    }
+    without(there, thereBefore).forEach(edge -> line(now, edge));
+    without(thereBefore, there).forEach(edge -> line(before, edge));
   }
 
   private static Set<Edge> removed(Scene scene) {

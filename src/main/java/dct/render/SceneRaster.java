@@ -10,8 +10,8 @@ import java.util.stream.IntStream;
 /** Draws scenes into pixels, the rows of large ones shared out among the cores. */
 public final class SceneRaster {
   private static final int SMALL = 2_000; // vertices; fewer are drawn before another core wakes up
-
-  private static final int MOST_AT_ONCE = 50_000; // vertices, drawn in ten milliseconds
+  private static final int MOST_AT_ONCE = 150_000; // vertices, drawn within a frame or two
+  private static final int BAND = 64; // rows that one core draws on
 
   private SceneRaster() {}
 
@@ -56,18 +56,40 @@ public final class SceneRaster {
     }
     Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
     List<Box> boxes = SceneDifference.between(before, now, view, screen);
-    if (ScenePainter.vertices(now, view, boxes) > MOST_AT_ONCE) {
+    long vertices = ScenePainter.vertices(now, view, boxes);
+    if (vertices > MOST_AT_ONCE) {
       return false;
     }
-    for (Box box : boxes) {
-      Rectangle part = pixels(box, scale).intersection(image.getRaster().getBounds());
+    List<Rectangle> parts = boxes.stream().map(box -> pixels(box, scale)).toList();
+    if (vertices <= SMALL) {
+      redraw(now, view, theme, scale, image, image.getRaster().getBounds(), parts);
+    } else {
+      // The parts may overlap; the bands do not.
+      IntStream.range(0, (image.getHeight() + BAND - 1) / BAND)
+          .mapToObj(band -> new Rectangle(0, band * BAND, image.getWidth(), BAND))
+          .parallel()
+          .forEach(band -> redraw(now, view, theme, scale, image, band, parts));
+    }
+    return true;
+  }
+
+  private static void redraw(
+      Scene scene,
+      Viewport view,
+      Theme theme,
+      double scale,
+      BufferedImage image,
+      Rectangle within,
+      List<Rectangle> parts) {
+    Rectangle all = within.intersection(image.getRaster().getBounds());
+    for (Rectangle each : parts) {
+      Rectangle part = each.intersection(all);
       if (!part.isEmpty()) {
         RasterPen pen = new RasterPen(image, part, scale, theme);
         pen.ground();
-        ScenePainter.paintShapes(now, view, screen(part, scale), pen);
+        ScenePainter.paintShapes(scene, view, screen(part, scale), pen);
       }
     }
-    return true;
   }
 
   /** All pixels of the image of which a box holds a part. */
