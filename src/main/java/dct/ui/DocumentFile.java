@@ -33,7 +33,7 @@ final class DocumentFile {
   /**
    * What was read.
    *
-   * @param file where it was found
+   * @param origin where it was found
    * @param remark what there is to say of it; empty if nothing
    */
   record Read(Document document, Origin origin, String remark) {}
