@@ -56,11 +56,12 @@ public class PainterBenchmark {
     private double zoom;
 
     private final BufferedImage image =
-        new BufferedImage(PictureFile.WIDTH, PictureFile.HEIGHT, BufferedImage.TYPE_INT_RGB);
+        new BufferedImage(PictureView.WIDTH, PictureView.HEIGHT, BufferedImage.TYPE_INT_RGB);
 
     private Viewport view(Scene scene) {
-      return PictureFile.fitted(scene)
-          .zoomed(zoom, PictureFile.WIDTH / 2.0, PictureFile.HEIGHT / 2.0);
+      return PictureView.whole(scene, false)
+          .viewport()
+          .zoomed(zoom, PictureView.WIDTH / 2.0, PictureView.HEIGHT / 2.0);
     }
   }
 

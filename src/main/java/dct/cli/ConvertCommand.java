@@ -16,6 +16,8 @@ final class ConvertCommand extends Verb {
   private final OptionSpec output =
       outputs(true, "Where to: " + endings() + "; - is text on standard output. May repeat.");
 
+  private final OptionSpec legend = legend();
+
   ConvertCommand(Console console) {
     super(
         console,
@@ -42,9 +44,9 @@ final class ConvertCommand extends Verb {
       throws IOException {
     for (String file : outputs) {
       if (solution.isEmpty() || holdsPointsAlone(file)) {
-        PointOutput.write(document, file, console());
+        PointOutput.write(document, file, isSet(legend), console());
       } else {
-        SolutionOutput.write(solution.get(), Optional.empty(), file, console());
+        SolutionOutput.write(solution.get(), Optional.empty(), file, isSet(legend), console());
       }
       if (solution.isPresent() && holdsPointsAlone(file)) {
         console()

@@ -56,6 +56,8 @@ final class GenerateCommand extends Verb {
               + "; - is text on standard output, which is the default."
               + " May repeat.");
 
+  private final OptionSpec legend = legend();
+
   private final OptionSpec json =
       flag("--json", "Print what was made as one JSON object; needs an -o that is a file.");
 
@@ -101,7 +103,7 @@ final class GenerateCommand extends Verb {
       PointDocument document = document(progress(interruption, true));
       checkNames(outputs, document.declared().orElseThrow());
       for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
-        PointOutput.write(document, file, console());
+        PointOutput.write(document, file, isSet(legend), console());
       }
       if (isSet(json)) {
         console().print(json(document, outputs).toString());

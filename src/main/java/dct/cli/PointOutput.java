@@ -6,7 +6,6 @@ import dct.io.OffFile;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
-import dct.render.PictureFile;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -19,9 +18,11 @@ final class PointOutput {
   /**
    * Writes one output; {@code -} is text on standard output.
    *
+   * @param legend whether a picture has one
    * @throws UsageException if the ending of the name is no format
    */
-  static void write(PointDocument document, String output, Console console) throws IOException {
+  static void write(PointDocument document, String output, boolean legend, Console console)
+      throws IOException {
     if (output.equals("-")) {
       PointFile.write(console.out(), document);
       console.out().flush();
@@ -32,7 +33,7 @@ final class PointOutput {
       case TXT -> PointFile.write(file, document, Progress.NONE);
       case JSON -> ResultJson.write(file, document, Progress.NONE);
       case OFF -> OffFile.write(file, document.points(), Progress.NONE);
-      default -> PictureFile.write(scene(document), file, Progress.NONE);
+      default -> SolutionOutput.write(scene(document), file, legend);
     }
   }
 

@@ -7,6 +7,7 @@ import dct.io.ResultJson;
 import dct.problem.Instance;
 import dct.problem.Solution;
 import dct.render.PictureFile;
+import dct.render.PictureView;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -19,10 +20,15 @@ final class SolutionOutput {
   /**
    * Writes one output; {@code -} is the whole result on standard output.
    *
+   * @param legend whether a picture has one
    * @throws UsageException if the ending of the name is no format
    */
   static void write(
-      Solution solution, Optional<ResultJson.Millis> millis, String output, Console console)
+      Solution solution,
+      Optional<ResultJson.Millis> millis,
+      String output,
+      boolean legend,
+      Console console)
       throws IOException {
     if (output.equals(Verb.STANDARD_STREAM)) {
       ResultJson.write(console.out(), solution, millis);
@@ -35,7 +41,12 @@ final class SolutionOutput {
       case TXT -> PointFile.write(file, instance.domain(), instance.points(), Progress.NONE);
       case JSON -> ResultJson.write(file, solution, millis, Progress.NONE);
       case OFF -> OffFile.write(file, solution.triangulation(), Progress.NONE);
-      default -> PictureFile.write(Scene.of(solution), file, Progress.NONE);
+      default -> write(Scene.of(solution), file, legend);
     }
+  }
+
+  /** Writes a picture of the whole scene. */
+  static void write(Scene scene, Path file, boolean legend) throws IOException {
+    PictureFile.write(scene, PictureView.whole(scene, legend), 1, file, Progress.NONE);
   }
 }

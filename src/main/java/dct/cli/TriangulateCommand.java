@@ -23,8 +23,8 @@ final class TriangulateCommand extends Verb {
           "--algorithm",
           "A",
           Arrays.stream(Method.values()).map(Method::word).toList(),
-          "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points delaunay"
-              + " (default and only).");
+          "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points"
+              + " delaunay (default and only).");
   private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
   private final OptimizeParameters optimize = new OptimizeParameters(this);
   private final OptionSpec output =
@@ -34,6 +34,7 @@ final class TriangulateCommand extends Verb {
               + FileEnding.list(Content.PICTURE)
               + " a picture; - is the"
               + " whole result as JSON on standard output. May repeat.");
+  private final OptionSpec legend = legend();
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");
 
@@ -43,7 +44,8 @@ final class TriangulateCommand extends Verb {
         "Triangulates a simple polygon, or point sites, and counts even and odd vertices.");
     examples(
         "dct triangulate samples/comb_polygonbased.txt --flip",
-        "dct triangulate samples/random_50_pointbased.txt --optimize even -o result.json -o result.svg");
+        "dct triangulate samples/random_50_pointbased.txt --optimize even -o result.json -o"
+            + " result.svg");
   }
 
   @Override
@@ -70,7 +72,7 @@ final class TriangulateCommand extends Verb {
 
   private void write(Made made, List<String> outputs) throws IOException {
     for (String file : outputs) {
-      SolutionOutput.write(made.solution, made.millis, file, console());
+      SolutionOutput.write(made.solution, made.millis, file, isSet(legend), console());
     }
     if (isSet(json)) {
       console().print(ResultJson.summary(made.solution, made.millis));

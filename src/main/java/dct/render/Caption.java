@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.geometry.Box;
 import dct.render.Pen.Anchor;
 import java.util.List;
 
@@ -8,37 +9,62 @@ public final class Caption {
   private static final double SIZE = 14;
   private static final double LEADING = 19;
   private static final double PADDING = 5;
+  static final double MARGIN = 7; // from the borders of the picture
 
   /** The mean width of a character; no pen need know its font. */
   private static final double ADVANCE = 0.61 * SIZE;
 
   private Caption() {}
 
-  /** Where so many lines end, the first of them beginning at this height. */
-  static double bottom(double top, int lines) {
-    return lines == 0 ? top : top + LEADING * lines;
+  /** The part of a picture whose corners captions fill. */
+  static Box room(Box screen) {
+    return screen.grown(-MARGIN);
   }
 
-  /**
-   * Writes the lines below each other; nothing if there are none.
-   *
-   * @param x the left end of the lines, or their right end for {@link Anchor#END}
-   * @param top the top of the first line
-   */
-  public static void paint(Pen pen, double x, double top, Anchor anchor, List<String> lines) {
+  /** The width of lines of which the longest has so many characters. */
+  static double width(int longest) {
+    return ADVANCE * longest + 2 * PADDING;
+  }
+
+  static double width(List<String> lines) {
+    return width(lines.stream().mapToInt(String::length).max().orElse(0));
+  }
+
+  /** The height of so many lines; nothing for none. */
+  static double height(int lines) {
+    return lines == 0 ? 0 : LEADING * lines + PADDING;
+  }
+
+  /** Writes the lines below each other into a corner; nothing if there are none. */
+  static void paint(Pen pen, Box screen, Corner corner, List<String> lines) {
     if (lines.isEmpty()) {
       return;
     }
-    double width = ADVANCE * lines.stream().mapToInt(String::length).max().orElse(0);
-    double left = anchor == Anchor.END ? x - width : x;
-    pen.style(Stroke.fill(Ink.BACKGROUND));
-    pen.rectangle(
-        left - PADDING, top - PADDING, width + 2 * PADDING, LEADING * lines.size() + PADDING);
+    paint(
+        pen, corner.box(room(screen), width(lines), height(lines.size())), corner.anchor(), lines);
+  }
+
+  /** Writes a line beside a place of the picture: the place is where the ground begins. */
+  public static void paint(Pen pen, double left, double top, String line) {
+    List<String> lines = List.of(line);
+    Box box = new Box(left, top, left + width(lines), top + height(1));
+    paint(pen, box, Anchor.START, lines);
+  }
+
+  private static void paint(Pen pen, Box box, Anchor anchor, List<String> lines) {
+    ground(pen, box);
     pen.style(Stroke.fill(Ink.LABEL));
-    double baseline = top + SIZE - 1;
+    double x = anchor == Anchor.START ? box.minX() + PADDING : box.maxX() - PADDING;
+    double baseline = box.minY() + PADDING + SIZE - 1;
     for (String line : lines) {
       pen.text(x, baseline, anchor, SIZE, line);
       baseline += LEADING;
     }
+  }
+
+  /** The ground of a caption. */
+  static void ground(Pen pen, Box box) {
+    pen.style(Stroke.fill(Ink.BACKGROUND));
+    pen.rectangle(box.minX(), box.minY(), 2 * box.halfWidth(), 2 * box.halfHeight());
   }
 }

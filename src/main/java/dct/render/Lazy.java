@@ -5,10 +5,15 @@ import java.util.function.Supplier;
 /** A value that is made when it is first asked for, once, whichever thread asks. */
 final class Lazy<T> implements Supplier<T> {
   private Supplier<T> make; // null once the value is made
-  private volatile T value;
+  private T value;
 
   Lazy(Supplier<T> make) {
     this.make = make;
+  }
+
+  /** Whether the value is there already. */
+  synchronized boolean isMade() {
+    return make == null;
   }
 
   @Override
@@ -18,10 +23,5 @@ final class Lazy<T> implements Supplier<T> {
       make = null;
     }
     return value;
-  }
-
-  /** Whether the value is made, so that {@link #get} returns at once. */
-  boolean isMade() {
-    return value != null;
   }
 }

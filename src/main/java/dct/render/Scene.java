@@ -37,6 +37,8 @@ public final class Scene {
               EdgeKind.PARTITION, Stroke.solid(Ink.PARTITION, 1.8),
               EdgeKind.FLIPPED, Stroke.solid(Ink.FLIPPED, 2),
               EdgeKind.BOUNDARY, Stroke.solid(Ink.BOUNDARY, 1.6)));
+  private static final int FEW = 3_000; // vertices are sorted within a frame of the screen
+
   private static final Stroke OUTLINE = Stroke.solid(Ink.BOUNDARY, 1.6);
   private static final Stroke CLOSING = Stroke.dashed(Ink.PROPOSED, 1.4);
   private static final Stroke DEFECT = Stroke.solid(Ink.DEFECT, 3);
@@ -346,6 +348,43 @@ public final class Scene {
   /** Whether {@link #visitNear} and drawing need not wait for what {@link #prepared} makes. */
   public boolean isPrepared() {
     return index.isMade();
+  }
+
+  /** Whether vertices in a part of the screen can be counted without a delay. */
+  public boolean isAtHand() {
+    return isPrepared() || size() <= FEW;
+  }
+
+  /**
+   * How many vertices there are in a part of the screen; counting ends when so many are found.
+   *
+   * @param part the part, its border included
+   */
+  int verticesIn(Viewport view, Box part, int enough) {
+    boolean arrived =
+        patch.isArrived()
+            && part.holds(view.screenX(x(patch.site())), view.screenY(y(patch.site())));
+    int count = arrived ? 1 : 0;
+    Blocks blocks = index().blocks();
+    int block = blocks.next(0, view, part);
+    for (; block < blocks.count() && count < enough; block = blocks.next(block + 1, view, part)) {
+      for (int place = blocks.first(block); place < blocks.end(block); place++) {
+        double x = view.screenX(index().x(place));
+        double y = view.screenY(index().y(place));
+        count += part.holds(x, y) && !patch.isLeft(place) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  /** The colours and lines of the edges that occur, what is drawn first coming first. */
+  List<Stroke> strokes() {
+    return layers.stream().filter(layer -> layer.size() > 0).map(EdgeLayer::stroke).toList();
+  }
+
+  /** Whether there is a vertex of this colour. */
+  boolean hasVertex(Ink ink) {
+    return IntStream.range(0, size()).anyMatch(v -> ink(v) == ink);
   }
 
   /** The vertices and edges by place. */

@@ -3,7 +3,6 @@ package dct.render;
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.triangulate.MovedSite;
-import dct.render.Pen.Anchor;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -18,7 +17,6 @@ import java.util.Set;
 public final class ScenePainter {
   private static final double LARGEST_DOT = 4.5;
   private static final double SMALLEST_DOT = 0.6;
-  private static final double MARGIN = 12;
   private static final double FIT_MARGIN = 40;
   private static final double FIT_GAP = 16; // room for rings and labels below the counts
   private static final double DEFECT_RING = 10;
@@ -46,14 +44,13 @@ public final class ScenePainter {
   }
 
   /**
-   * Draws everything but the ground.
+   * Draws everything but the ground and the {@link Notes}.
    *
    * @param screen the part of the screen to draw on, in pixels
    */
   public static void paint(Scene scene, Viewport view, Box screen, Pen pen) {
     paintShapes(scene, view, screen, pen);
     paintLabels(scene, view, screen, pen);
-    paintCounts(scene, screen, pen);
   }
 
   /**
@@ -102,17 +99,13 @@ public final class ScenePainter {
     }
   }
 
-  /** Writes the counts into the upper right corner of the screen. */
-  public static void paintCounts(Scene scene, Box screen, Pen pen) {
-    Caption.paint(pen, screen.maxX() - MARGIN, screen.minY() + MARGIN, Anchor.END, scene.counts());
-  }
-
   /**
    * The viewport that shows the whole scene as large as it fits on a screen of this size, below its
    * counts and with a margin on each side; actual size if there are no vertices.
    */
   public static Viewport fitted(Scene scene, double width, double height, boolean yUp) {
-    double top = Math.max(FIT_MARGIN, Caption.bottom(MARGIN, scene.counts().size()) + FIT_GAP);
+    double top =
+        Math.max(FIT_MARGIN, Caption.MARGIN + Caption.height(scene.counts().size()) + FIT_GAP);
     double lower = top - FIT_MARGIN;
     return scene
         .bounds()
@@ -261,7 +254,7 @@ public final class ScenePainter {
   private void vertex(Ink ink, double x, double y) {
     if (clip.holds(x, y)) {
       if (ink == Ink.ODD) {
-        pen.square(x, y, dot * 0.9);
+        pen.square(x, y, dot * Dots.SQUARE);
       } else {
         pen.disc(x, y, dot);
       }

@@ -13,6 +13,7 @@ import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
+import dct.ui.icon.ProgramIcon;
 import dct.ui.job.Jobs;
 import dct.ui.session.Journal;
 import dct.ui.session.Orphan;
@@ -44,6 +45,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient Workbench workbench;
   private final StatusBar status;
   private final EastPanel east;
+  private final Invitation invitation;
+  private final ToolBar tools;
   private final transient CommandRegistry commands = new CommandRegistry();
   private final transient FileWork files;
   private final transient ResultFrames results;
@@ -73,7 +76,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
     flips = offerFlips();
     commands.bindKeys(getRootPane());
     east = new EastPanel(workbench, commands);
+    invitation = new Invitation(commands, files::openSample);
+    canvas.setInvitation(invitation);
+    tools = new ToolBar(MenuTable.TOOLS, commands);
+    commands.refresh();
     setJMenuBar(CommandMenu.bar(MenuTable.MAIN, commands));
+    setIconImages(ProgramIcon.images());
     layOut();
     listen(host);
     restoreView();
@@ -101,6 +109,9 @@ public final class MainWindow extends JFrame implements CommandWindow {
     RandomCommands.offer(commands, this, workbench, canvas::showWell);
     studies.offer(commands);
     ViewCommands.offer(commands, canvas);
+    commands
+        .add("Tool Bar", "", "Shows or hides the icons below the menus", this::toggleTools)
+        .selectedWhen(() -> tools == null || tools.isVisible());
     HelpCommands.offer(commands, this);
     commands.add(
         "Give Up",
@@ -121,6 +132,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   }
 
   private void layOut() {
+    add(tools, BorderLayout.NORTH);
     JPanel centre = new JPanel(new BorderLayout());
     centre.add(canvas, BorderLayout.CENTER);
     JPanel below = new JPanel(new BorderLayout());
@@ -159,6 +171,10 @@ public final class MainWindow extends JFrame implements CommandWindow {
     setTransferHandler(new FileDrop(dropped -> open(dropped, host)));
   }
 
+  private void toggleTools() {
+    tools.setVisible(!tools.isVisible());
+  }
+
   private void giveUp() {
     boolean dragging = workbench.tool().map(tool -> tool.cancelled(workbench)).orElse(false);
     if (!dragging && workbench.jobs().isIdle()) {
@@ -192,7 +208,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
     } else if (editor != null) {
       canvas.setScene(workbench.flips().onTheWay().orElse(editor.shown().scene()));
     }
-    canvas.setWelcome(editor == null ? welcome() : List.of());
+    boolean empty = editor == null || editor.visible().size() == 0;
+    invitation.show(workbench.domain(), empty);
     canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));
     commands.refresh();
     east.refresh();
@@ -215,13 +232,6 @@ public final class MainWindow extends JFrame implements CommandWindow {
     } else {
       canvas.showActualSize();
     }
-  }
-
-  private static List<String> welcome() {
-    return List.of(
-        "Degree Constrained Triangulation",
-        "Choose Polygon Based or Point Sites Based on the right,",
-        "or open a file or a sample from the File menu.");
   }
 
   private String title() {

@@ -19,9 +19,32 @@ final class MenuTable {
           LINE,
           "Vertex Numbers",
           "Vertex Degrees",
+          "Legend",
           "Y Axis Up",
           LINE,
           "Dark Look");
+
+  /** The tool bar of the main window. */
+  static final List<String> TOOLS =
+      List.of(
+          "New",
+          "Open",
+          "Save",
+          LINE,
+          "Undo",
+          "Redo",
+          LINE,
+          "Perform Flip",
+          "Most Even Vertices",
+          "Most Odd Vertices",
+          "Wish Parity",
+          LINE,
+          "Zoom In",
+          "Zoom Out",
+          "Fit",
+          LINE,
+          "Vertex Numbers",
+          "Legend");
 
   private static final Plan VIEW = view("Flips", LINE);
 
@@ -99,7 +122,7 @@ final class MenuTable {
               "Random Sites",
               "Random Polygon…"),
           Plan.of("Study", "Point Sites…", "Polygons…"),
-          VIEW,
+          view("Flips", "Tool Bar", LINE),
           REPLAY,
           Plan.of("Help", "Commands and Keys", "About"));
 

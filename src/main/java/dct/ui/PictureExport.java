@@ -5,8 +5,8 @@ import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.render.PictureFile;
+import dct.render.PictureView;
 import dct.render.Scene;
-import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
@@ -90,19 +90,19 @@ final class PictureExport {
 
   private void export(Path file, Jobs jobs, Consumer<String> done) {
     Scene scene = canvas.scene();
-    Viewport view = canvas.viewport();
-    Dimension size = canvas.getSize();
+    PictureView view =
+        new PictureView(canvas.viewport(), canvas.getWidth(), canvas.getHeight(), canvas.notes());
     int scale = SCALES[scales.getSelectedIndex()];
     jobs.write(
         "Exporting " + file.getFileName(),
-        progress -> write(scene, view, size, scale, file, progress),
+        progress -> write(scene, view, scale, file, progress),
         written -> done.accept("Exported " + written));
   }
 
   private static Path write(
-      Scene scene, Viewport view, Dimension size, int scale, Path file, Progress progress) {
+      Scene scene, PictureView view, int scale, Path file, Progress progress) {
     try {
-      PictureFile.write(scene, view, size.width, size.height, scale, file, progress);
+      PictureFile.write(scene, view, scale, file, progress);
       return file;
     } catch (CannotWriteException e) {
       throw new UncheckedIOException(e);

@@ -45,6 +45,13 @@ final class ViewCommands {
         .add("Vertex Degrees", "G", "Writes the degree of each vertex", this::degrees)
         .selectedWhen(() -> canvas.labels().degrees());
     commands
+        .add(
+            "Legend",
+            "K",
+            "Says what the colours and shapes stand for",
+            () -> canvas.setLegend(!canvas.hasLegend()))
+        .selectedWhen(canvas::hasLegend);
+    commands
         .add("Y Axis Up", "U", "Lets y run up instead of down", this::turnAxis)
         .selectedWhen(() -> canvas.viewport().yUp());
     commands

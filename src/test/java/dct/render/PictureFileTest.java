@@ -30,7 +30,7 @@ class PictureFileTest {
     BufferedImage image = ImageIO.read(file.toFile());
     assertThat(image.getWidth()).isEqualTo(1000);
     assertThat(image.getHeight()).isEqualTo(700);
-    Viewport view = PictureFile.fitted(scene);
+    Viewport view = PictureView.whole(scene, false).viewport();
     // v2 has three edges after the flip, v0 two.
     requireInk(image, view, Ink.ODD, 400, 200);
     requireInk(image, view, Ink.EVEN, 100, 100);
@@ -165,6 +165,6 @@ class PictureFileTest {
   }
 
   private Picture picture() {
-    return new Picture(scene, PictureFile.fitted(scene), 1000, 700, 1, Progress.NONE);
+    return new Picture(scene, PictureView.whole(scene, false), 1, Progress.NONE);
   }
 }

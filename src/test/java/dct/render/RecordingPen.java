@@ -37,7 +37,7 @@ final class RecordingPen implements Pen {
 
   @Override
   public void rectangle(double x, double y, double width, double height) {
-    shapes.add(new Shape("rectangle", ink, x, y, ""));
+    shapes.add(new Shape("rectangle", ink, x, y, width + " " + height));
   }
 
   @Override

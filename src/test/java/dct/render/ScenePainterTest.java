@@ -156,6 +156,7 @@ class ScenePainterTest {
     Scene scene = Scene.of(Fixtures.flippedPentagon());
     RecordingPen pen = new RecordingPen();
     ScenePainter.paint(scene, ScenePainter.fitted(scene, 1000, 700, false), SCREEN, pen);
+    Notes.at(false).paint(scene, SCREEN, pen, "");
     double lowest =
         pen.shapes.stream()
             .filter(s -> s.kind().equals("text"))
@@ -227,6 +228,7 @@ class ScenePainterTest {
   private static RecordingPen painted(Scene scene) {
     RecordingPen pen = new RecordingPen();
     ScenePainter.paint(scene, Viewport.IDENTITY, SCREEN, pen);
+    Notes.at(false).paint(scene, SCREEN, pen, "");
     return pen;
   }
 }

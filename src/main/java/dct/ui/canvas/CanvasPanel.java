@@ -3,23 +3,21 @@ package dct.ui.canvas;
 import com.formdev.flatlaf.FlatLaf;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
-import dct.render.Caption;
 import dct.render.GraphicsPen;
-import dct.render.Ink;
 import dct.render.Labels;
+import dct.render.Notes;
 import dct.render.Pen;
-import dct.render.Pen.Anchor;
 import dct.render.Scene;
-import dct.render.ScenePainter;
-import dct.render.Stroke;
 import dct.render.Theme;
 import dct.render.Viewport;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 
 /**
@@ -41,13 +39,15 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private final transient List<Consumer<Pen>> overlays = new ArrayList<>();
   private Labels labels = Labels.NONE;
   private String corner = "";
-  private List<String> welcome = List.of();
+  private transient Notes notes = Notes.at(false);
+  private transient View noted; // the picture that the notes were placed in; null before the first
 
   /** An empty canvas in actual size. */
   public CanvasPanel() {
     setName("canvas");
     setOpaque(true);
     setFocusable(true);
+    setLayout(new GridBagLayout());
     setPreferredSize(new Dimension(WIDTH_AT_FIRST, HEIGHT_AT_FIRST));
     getAccessibleContext().setAccessibleName("Canvas");
     new Navigation(this, this);
@@ -114,15 +114,31 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     return corner;
   }
 
-  /** Writes lines in the middle: what to do with a canvas that shows nothing. */
-  public void setWelcome(List<String> lines) {
-    welcome = List.copyOf(lines);
+  /** Shows or hides the legend. */
+  public void setLegend(boolean shown) {
+    notes = notes.withLegend(shown);
+    noted = null;
     repaint();
+  }
+
+  /** Whether the legend is shown. */
+  public boolean hasLegend() {
+    return notes.legend();
+  }
+
+  /** What is written in the corners, and in which, as it was painted last. */
+  public Notes notes() {
+    return notes;
+  }
+
+  /** Puts a component into the middle: what to do with a canvas that shows nothing. */
+  public void setInvitation(JComponent invitation) {
+    add(invitation);
   }
 
   /** Shows the whole scene as large as it fits. */
   public void fit() {
-    setViewport(ScenePainter.fitted(scene, getWidth(), getHeight(), viewport.yUp()));
+    setViewport(notes.fitted(scene, getWidth(), getHeight(), viewport.yUp()));
   }
 
   /** One model unit a pixel, the origin in the corner: the thesis's canvas. */
@@ -165,28 +181,20 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   @Override
   protected void paintComponent(Graphics g) {
     Graphics2D graphics = (Graphics2D) g.create();
-    image.paint(graphics, new View(scene, viewport, theme(), getSize(), scaleOf(graphics)));
+    View view = new View(scene, viewport, theme(), getSize(), scaleOf(graphics));
+    Box screen = new Box(0, 0, getWidth(), getHeight());
+    image.paint(graphics, view);
+    if (!view.equals(noted) && scene.isAtHand()) {
+      notes = notes.placed(scene, viewport, screen);
+      noted = view;
+    }
     GraphicsPen pen = new GraphicsPen(graphics, theme());
-    ScenePainter.paintCounts(scene, new Box(0, 0, getWidth(), getHeight()), pen);
+    notes.paint(scene, screen, pen, corner);
     overlays.forEach(overlay -> overlay.accept(pen));
-    paintWords(pen);
     graphics.dispose();
   }
 
   private static double scaleOf(Graphics2D graphics) {
     return graphics.getTransform().getScaleX();
-  }
-
-  private void paintWords(Pen pen) {
-    Caption.paint(pen, 12, 12, Anchor.START, corner.isEmpty() ? List.of() : List.of(corner));
-    pen.style(Stroke.fill(Ink.LABEL));
-    double y = getHeight() / 2.0 - 14 * (welcome.size() - 1);
-    double size = 22;
-    for (String line : welcome) {
-      pen.text(getWidth() / 2.0, y, Anchor.MIDDLE, size, line);
-      pen.style(Stroke.fill(Ink.PROPOSED));
-      y += 32;
-      size = 15;
-    }
   }
 }

@@ -10,13 +10,11 @@ import dct.problem.Solution;
 import dct.render.Caption;
 import dct.render.Ink;
 import dct.render.Pen;
-import dct.render.Pen.Anchor;
 import dct.render.Scene;
 import dct.render.Stroke;
 import dct.render.Viewport;
 import java.awt.Cursor;
 import java.awt.event.KeyEvent;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -196,8 +194,7 @@ public final class FlipTool implements Tool {
       line(view, points, flip.get().x(), flip.get().y(), pen);
       double y = hover.screenY();
       double top = y > CAPTION_ABOVE ? y - CAPTION_ABOVE : y + CAPTION_BELOW;
-      Caption.paint(
-          pen, hover.screenX() + REACH, top, Anchor.START, List.of(gain(solution, flip.get())));
+      Caption.paint(pen, hover.screenX() + REACH, top, gain(solution, flip.get()));
     }
   }
 
