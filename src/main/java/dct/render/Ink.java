@@ -33,8 +33,14 @@ public enum Ink {
   LABEL(0x20242C, 0xE4E6EB),
   /** What is only proposed: the edges that the next click would make. */
   PROPOSED(0x7D8798, 0x7E8798),
-  /** What the mouse points at. */
-  HIGHLIGHT(0xBF7300, 0xFBBF24);
+  /** What the mouse points at, or what an explanation speaks of. */
+  HIGHLIGHT(0xBF7300, 0xFBBF24),
+  /** The first of three things that an explanation tells apart: brown. */
+  MARK_ONE(0x8A5A1E, 0xD9B27A),
+  /** The second: violet. */
+  MARK_TWO(0x6B2FB3, 0xB794F6),
+  /** The third: dark cyan. */
+  MARK_THREE(0x00736B, 0x4DD0C0);
 
   private final int light;
   private final int dark;

@@ -11,6 +11,7 @@ import dct.ui.command.CommandRegistry;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.explain.Explainer;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
 import dct.ui.icon.ProgramIcon;
@@ -52,6 +53,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient ResultFrames results;
   private final transient StudyWork studies;
   private final transient FlipCommands flips;
+  private final transient Explainer explainer;
   private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
   private final transient Session session;
   private final transient List<Journal> journals;
@@ -72,6 +74,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     closing = new Closing(this, workbench, files, host, this::closeForGood);
     journals = Stream.of(Domain.values()).map(this::journal).toList();
     studies = new StudyWork(this, canvas, workbench.jobs());
+    explainer = new Explainer(canvas, workbench.jobs(), workbench::solution);
     offerCommands(host);
     flips = offerFlips();
     commands.bindKeys(getRootPane());
@@ -112,6 +115,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     commands
         .add("Tool Bar", "", "Shows or hides the icons below the menus", this::toggleTools)
         .selectedWhen(() -> tools == null || tools.isVisible());
+    explainer.offer(commands);
     HelpCommands.offer(commands, this);
     commands.add(
         "Give Up",
@@ -167,6 +171,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     workbench.addListener(this::refresh);
     workbench.flips().addListener(this::refresh);
     workbench.addListener(results::refresh);
+    workbench.addListener(explainer::refresh);
     workbench.jobs().setListener(new JobListener());
     setTransferHandler(new FileDrop(dropped -> open(dropped, host)));
   }

@@ -124,11 +124,16 @@ final class MenuTable {
           Plan.of("Study", "Point Sites…", "Polygons…"),
           view("Flips", "Tool Bar", LINE),
           REPLAY,
-          Plan.of("Help", "Commands and Keys", "About"));
+          Plan.of("Help", "Why?", "Verify Result", LINE, "Commands and Keys", "About"));
 
   /** The menus of a frame that shows a result. */
   static final List<Plan> RESULT =
-      List.of(PICTURE_FILE, Plan.of("Edit", "Undo", "Redo"), VIEW, REPLAY);
+      List.of(
+          PICTURE_FILE,
+          Plan.of("Edit", "Undo", "Redo"),
+          VIEW,
+          REPLAY,
+          Plan.of("Help", "Why?", "Verify Result"));
 
   /** The menus of a frame that shows a picture. */
   static final List<Plan> PICTURE = List.of(PICTURE_FILE, view());

@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.document.Result;
+import dct.ui.explain.Explainer;
 import dct.ui.job.Jobs;
 import dct.ui.result.ResultView;
 
@@ -22,5 +24,9 @@ final class ResultCommands {
             () -> PictureExport.ask(view, view.canvas(), view.document(), jobs, done -> {}));
     view.commands().add("Close", "ctrl W", "Closes this view", view::close);
     ViewCommands.offer(view.commands(), view.canvas());
+    Explainer explainer =
+        new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
+    explainer.offer(view.commands());
+    view.addListener(explainer::refresh);
   }
 }

@@ -2,11 +2,13 @@ package dct.ui;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.problem.Solution;
 import dct.render.Viewport;
 import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.document.Result;
 import dct.ui.flip.FlipDesk;
 import dct.ui.job.Jobs;
 import dct.ui.tool.DeleteTool;
@@ -151,6 +153,23 @@ public final class Workbench implements ToolContext {
   /** What the next click will do. */
   public String hint() {
     return tool().map(t -> t.hint(this)).orElse("Choose Polygon Based or Point Sites Based");
+  }
+
+  /**
+   * The triangulation of the document that is shown: the result of the polygon, or what is in the
+   * canvas of the sites; nothing while that is still being computed.
+   */
+  public Optional<Solution> solution() {
+    return active()
+        .flatMap(
+            editor ->
+                editor.domain() == Domain.POLYGON
+                    ? editor.document().result().map(Result::solution)
+                    : editor.shown().solution().filter(s -> isUpToDate(editor)));
+  }
+
+  private static boolean isUpToDate(Editor editor) {
+    return editor.shown().document().equals(editor.document());
   }
 
   private void changed() {

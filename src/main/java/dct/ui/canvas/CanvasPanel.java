@@ -1,10 +1,12 @@
 package dct.ui.canvas;
 
 import com.formdev.flatlaf.FlatLaf;
+import dct.core.degree.Mark;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 import dct.render.GraphicsPen;
 import dct.render.Labels;
+import dct.render.MarkPainter;
 import dct.render.Notes;
 import dct.render.Pen;
 import dct.render.Scene;
@@ -38,6 +40,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private transient Viewport viewport = Viewport.IDENTITY;
   private final transient List<Consumer<Pen>> overlays = new ArrayList<>();
   private Labels labels = Labels.NONE;
+  private transient List<Mark> marks = List.of();
   private String corner = "";
   private transient Notes notes = Notes.at(false);
   private transient View noted; // the picture that the notes were placed in; null before the first
@@ -99,6 +102,17 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** Draws something over the scene with each repaint, and over what was added before. */
   public void addOverlay(Consumer<Pen> overlay) {
     overlays.add(overlay);
+  }
+
+  /** Marks that are drawn over the scene, below what a tool draws, until others are given. */
+  public void setMarks(List<Mark> marks) {
+    this.marks = List.copyOf(marks);
+    repaint();
+  }
+
+  /** The marks that are drawn over the scene. */
+  public List<Mark> marks() {
+    return marks;
   }
 
   /** Writes the mouse's coordinates in the upper left corner. */
@@ -189,6 +203,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
       noted = view;
     }
     GraphicsPen pen = new GraphicsPen(graphics, theme());
+    MarkPainter.paint(marks, scene, viewport, screen, pen);
     notes.paint(scene, screen, pen, corner);
     overlays.forEach(overlay -> overlay.accept(pen));
     graphics.dispose();

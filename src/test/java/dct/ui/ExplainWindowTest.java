@@ -1,0 +1,82 @@
+package dct.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.degree.Mark;
+import java.awt.Dialog;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JTextArea;
+import org.junit.jupiter.api.Test;
+
+/** Why? and Verify Result, of sites in the canvas and of a polygon's result. */
+class ExplainWindowTest extends WindowTest {
+  private static final double[] PENTAGON = {100, 100, 500, 80, 620, 300, 350, 520, 90, 350};
+
+  @Test
+  void whyExplainsTheBoundOfSitesAndMarksItOnTheCanvas() {
+    draw("Point Sites Based");
+    perform(window, "Most Even Vertices");
+    perform(window, "Why?");
+    assertThat(text("why")).contains("5");
+    List<Mark> marks = onEventThread(() -> canvas().marks());
+    assertThat(marks).filteredOn(Mark.Vertex.class::isInstance).hasSizeGreaterThanOrEqualTo(5);
+    robot.pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
+    await("the marks are gone", () -> onEventThread(() -> canvas().marks().isEmpty()));
+  }
+
+  @Test
+  void anEditTakesTheExplanationAway() {
+    draw("Point Sites Based");
+    perform(window, "Most Even Vertices");
+    perform(window, "Why?");
+    assertThat(onEventThread(() -> canvas().marks())).isNotEmpty();
+    perform(window, "Undo");
+    await("the marks are gone", () -> onEventThread(() -> canvas().marks().isEmpty()));
+    assertThat(dialogs("why")).isEmpty();
+  }
+
+  @Test
+  void aResultIsVerifiedFromItsPointsAndEdges() {
+    draw("Polygon Based");
+    ResultFrame frame = pushForResult("Perform Flip");
+    perform(frame, "Verify Result");
+    assertThat(text("verdict")).contains("✓").doesNotContain("✗").contains("read back");
+    perform(frame, "Why?");
+    assertThat(onEventThread(() -> frame.canvas().marks())).isNotEmpty();
+  }
+
+  private void draw(String application) {
+    choose(application);
+    check("Draw Vertex");
+    clickAt(PENTAGON);
+  }
+
+  private void perform(CommandWindow of, String command) {
+    onEventThread(
+        () -> {
+          of.commands().get(command).perform();
+          return null;
+        });
+    settle();
+  }
+
+  private String text(String name) {
+    await("the dialog", () -> dialogs(name).size() == 1);
+    return onEventThread(
+        () ->
+            robot
+                .finder()
+                .findByName(dialogs(name).get(0), name + "Text", JTextArea.class)
+                .getText());
+  }
+
+  private static List<Dialog> dialogs(String name) {
+    return Arrays.stream(Window.getWindows())
+        .filter(w -> w instanceof Dialog && w.isShowing() && name.equals(w.getName()))
+        .map(Dialog.class::cast)
+        .toList();
+  }
+}
