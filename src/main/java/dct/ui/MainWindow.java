@@ -115,6 +115,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     commands
         .add("Tool Bar", "", "Shows or hides the icons below the menus", this::toggleTools)
         .selectedWhen(() -> tools == null || tools.isVisible());
+    LiveCommands.offer(commands, workbench);
     explainer.offer(commands);
     HelpCommands.offer(commands, this);
     commands.add(

@@ -122,7 +122,7 @@ final class MenuTable {
               "Random Sites",
               "Random Polygon…"),
           Plan.of("Study", "Point Sites…", "Polygons…"),
-          view("Flips", "Tool Bar", LINE),
+          view("Live Triangulation", "Live Method", LINE, "Flips", "Tool Bar", LINE),
           REPLAY,
           Plan.of("Help", "Why?", "Verify Result", LINE, "Commands and Keys", "About"));
 

@@ -22,14 +22,16 @@ import java.util.Optional;
 /**
  * What follows from the points of a document at once: for sites, from the third on, the Delaunay
  * triangulation; for a polygon, what keeps it from being simple. Sites of which something else was
- * made are shown with that. Immutable.
+ * made are shown with that. A polygon may be triangulated at once, too. Immutable.
  */
 public final class Analysis {
+  private static final Manner SITES = Manner.plain(false); // the only one
+
   private final Document document;
   private final Optional<Solution> automatic;
   private final List<Defect> defects; // also of a provisional edge; the first is the one to name
   private final Scene scene; // of the points and what follows from them
-  private final boolean growing; // of a polygon: the last edge is still provisional
+  private final Manner manner;
   private final boolean pending;
   private final Scene shown; // with the wishes, and the result where there is one
 
@@ -38,13 +40,13 @@ public final class Analysis {
       Optional<Solution> automatic,
       List<Defect> defects,
       Scene scene,
-      boolean growing,
+      Manner manner,
       boolean pending) {
     this.document = document;
     this.automatic = automatic;
     this.defects = defects;
     this.scene = scene;
-    this.growing = growing;
+    this.manner = manner;
     this.pending = pending;
     shown = shownResult().map(Result::scene).orElse(scene).withWishes(document.wishes());
   }
@@ -56,22 +58,53 @@ public final class Analysis {
    * @throws java.util.concurrent.CancellationException if the progress says so
    */
   public static Analysis of(Document document, boolean growing, Progress progress) {
+    return of(document, Manner.plain(growing), progress);
+  }
+
+  /**
+   * Analyses a document, and triangulates a simple polygon if that is the manner.
+   *
+   * @throws java.util.concurrent.CancellationException if the progress says so
+   */
+  static Analysis of(Document document, Manner manner, Progress progress) {
     return document.domain() == Domain.POLYGON
-        ? polygon(document, defects(document.points(), progress), growing, false)
+        ? polygon(document, manner, progress)
         : sites(document, progress);
   }
 
   /** The bare points of a document that is still to be analysed. */
   static Analysis pending(Document document, boolean growing) {
     return document.domain() == Domain.POLYGON
-        ? polygon(document, List.of(), growing, true)
+        ? outline(document, List.of(), Manner.plain(growing), true)
         : untriangulated(document, true);
   }
 
-  private static Analysis polygon(
-      Document document, List<Defect> defects, boolean growing, boolean pending) {
+  private static Analysis polygon(Document document, Manner manner, Progress progress) {
+    return manner
+        .live()
+        .flatMap(method -> triangulated(document, method, manner, progress))
+        .orElseGet(() -> outline(document, defects(document.points(), progress), manner, false));
+  }
+
+  /** The polygon as the method triangulates it, if it is simple. */
+  private static Optional<Analysis> triangulated(
+      Document document, LiveMethod method, Manner manner, Progress progress) {
+    try {
+      Instance instance = document.instance("", progress);
+      Solution solution = method.solve(instance, manner.hurried(), progress);
+      Scene scene = Scene.of(solution);
+      return Optional.of(
+          new Analysis(document, Optional.of(solution), List.of(), scene, manner, false));
+    } catch (InvalidGeometryException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static Analysis outline(
+      Document document, List<Defect> defects, Manner manner, boolean pending) {
+    boolean growing = manner.growing();
     Scene scene = Scene.polygon(document.points(), growing, named(defects, growing));
-    return new Analysis(document, Optional.empty(), defects, scene, growing, pending);
+    return new Analysis(document, Optional.empty(), defects, scene, manner, pending);
   }
 
   /**
@@ -94,13 +127,13 @@ public final class Analysis {
 
   private static Analysis untriangulated(Document document, boolean pending) {
     Scene scene = Scene.sites(document.points());
-    return new Analysis(document, Optional.empty(), List.of(), scene, false, pending);
+    return new Analysis(document, Optional.empty(), List.of(), scene, SITES, pending);
   }
 
   /** Sites on one line: they are drawn as the path that joins them, and have no solution. */
   private static Analysis path(Document document, Defect defect, Progress progress) {
     Scene scene = Scene.of(Delaunay.triangulate(Sites.of(document.points(), progress), progress));
-    return new Analysis(document, Optional.empty(), List.of(defect), scene, false, false);
+    return new Analysis(document, Optional.empty(), List.of(defect), scene, SITES, false);
   }
 
   private static List<Defect> defects(Points points, Progress progress) {
@@ -122,7 +155,7 @@ public final class Analysis {
       Instance instance = document.instance("", progress);
       Solution solution = Solution.of(instance, Method.DELAUNAY, progress);
       Scene scene = Scene.of(solution).prepared(); // so that a site can be moved at once
-      return new Analysis(document, Optional.of(solution), List.of(), scene, false, false);
+      return new Analysis(document, Optional.of(solution), List.of(), scene, SITES, false);
     } catch (InvalidGeometryException e) {
       return path(document, e.defect(), progress);
     }
@@ -133,6 +166,12 @@ public final class Analysis {
     return !pending;
   }
 
+  /** Whether this is a whole analysis of these points in this manner, wherever it was made. */
+  boolean isOf(Points points, Manner wished) {
+    boolean sites = document.domain() == Domain.SITES;
+    return isOf(points) && (sites || manner.suits(wished));
+  }
+
   /** Whether this is a whole analysis of these points, wherever it was made. */
   boolean isOf(Points points) {
     return !pending && document.points().equals(points);
@@ -140,7 +179,7 @@ public final class Analysis {
 
   /** The same of a document with the same points; its wishes and its result may be others. */
   Analysis with(Document other) {
-    return new Analysis(other, automatic, defects, scene, growing, pending);
+    return new Analysis(other, automatic, defects, scene, manner, pending);
   }
 
   /**
@@ -156,13 +195,19 @@ public final class Analysis {
   /** The picture of a document in which a site has moved, which is still to be analysed. */
   Analysis moved(Document other, MovedSite site) {
     return new Analysis(
-        other, Optional.empty(), List.of(), scene.moved(site), growing, !site.isBack());
+        other, Optional.empty(), List.of(), scene.moved(site), manner, !site.isBack());
   }
 
   /** The same of a polygon that is, or is no longer, being drawn. */
   public Analysis growing(boolean growing) {
-    boolean same = document.domain() != Domain.POLYGON || growing == this.growing;
-    return same ? this : polygon(document, defects, growing, pending);
+    boolean same = document.domain() != Domain.POLYGON || growing == manner.growing();
+    if (same) {
+      return this;
+    }
+    Manner other = manner.growing(growing);
+    return automatic.isPresent()
+        ? new Analysis(document, automatic, defects, scene, other, pending)
+        : outline(document, defects, other, pending);
   }
 
   /** What was analysed. */
@@ -170,7 +215,10 @@ public final class Analysis {
     return document;
   }
 
-  /** What was made of the sites, or their Delaunay triangulation; nothing without a triangle. */
+  /**
+   * What was made of the sites, or their Delaunay triangulation; nothing without a triangle. Of a
+   * polygon, its live triangulation, if there is one.
+   */
   public Optional<Solution> solution() {
     return shownResult()
         .map(Result::solution)
@@ -194,7 +242,7 @@ public final class Analysis {
    * are being drawn, nothing that only the last edge does, which is provisional.
    */
   public List<Defect> defects() {
-    return named(defects, growing);
+    return named(defects, manner.growing());
   }
 
   /** The picture. */

@@ -29,6 +29,8 @@ public final class Editor {
   private Analysis shown;
   private final LivePicture live = new LivePicture(); // of large sets of sites
   private boolean growing;
+  private Optional<LiveMethod> method = Optional.empty(); // of the live triangulation
+  private final LivePace pace = new LivePace();
   private Optional<Jobs.Handle> analysis = Optional.empty(); // queued last
   private int changes; // of the document; analyses from before the last one are not shown
 
@@ -167,6 +169,21 @@ public final class Editor {
     changed();
   }
 
+  /** By what a simple polygon is triangulated whenever it changes, if by anything. */
+  public Optional<LiveMethod> live() {
+    return method;
+  }
+
+  /** Says by what a simple polygon is triangulated whenever it changes. */
+  public void setLive(Optional<LiveMethod> chosen) {
+    method = chosen;
+    analyse();
+  }
+
+  private Manner manner() {
+    return new Manner(growing, method, provisional != null);
+  }
+
   /**
    * Takes over what was made of a document, as a named step, unless the document has changed since.
    *
@@ -188,12 +205,13 @@ public final class Editor {
 
   private void analyseVisible() {
     Document document = visible();
-    if (shown.isOf(document.points())) {
+    Manner manner = manner();
+    if (shown.isOf(document.points(), manner)) {
       show(shown.with(document));
-    } else if (document.size() <= AT_ONCE) {
-      show(Analysis.of(document, growing, Progress.NONE));
+    } else if (document.size() <= AT_ONCE && pace.isQuick(manner, document.size())) {
+      show(pace.measured(document, manner, Progress.NONE));
     } else {
-      Optional<Analysis> picture = live.of(document);
+      Optional<Analysis> picture = domain == Domain.SITES ? live.of(document) : Optional.empty();
       if (picture.isEmpty() || (provisional == null && !picture.get().isWhole())) {
         analyseInBackground(document);
       } else {
@@ -205,12 +223,12 @@ public final class Editor {
 
   private void analyseInBackground(Document document) {
     int change = changes;
-    boolean open = growing;
+    Manner manner = manner();
     analysis =
         Optional.of(
             jobs.update(
                 "Analysing the " + domain.title(),
-                progress -> Analysis.of(document, open, progress),
+                progress -> pace.measured(document, manner, progress),
                 result -> showUnlessChanged(result, change)));
   }
 

@@ -8,6 +8,7 @@ import dct.core.degree.bound.BoundaryColouring;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import dct.render.Scene;
+import java.util.Objects;
 
 /**
  * What a named step made of the points of a document; immutable.
@@ -61,5 +62,19 @@ public record Result(int view, String title, Solution solution, Scene scene) {
   /** Whether it cannot be made again at once: it has flips or was searched for. */
   public boolean isWorthKeeping() {
     return solution.flips().isPresent() || solution.optimum().isPresent();
+  }
+
+  /** The picture follows from the rest. */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Result that
+        && view == that.view
+        && title.equals(that.title)
+        && solution.equals(that.solution);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(view, title, solution);
   }
 }
