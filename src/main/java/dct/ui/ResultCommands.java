@@ -4,6 +4,7 @@ import dct.ui.document.Result;
 import dct.ui.explain.Explainer;
 import dct.ui.job.Jobs;
 import dct.ui.result.ResultView;
+import javax.swing.SwingUtilities;
 
 /** The commands of a view of a result. */
 final class ResultCommands {
@@ -17,16 +18,23 @@ final class ResultCommands {
    */
   static void offer(ResultView view, Jobs jobs) {
     view.commands()
-        .add(
-            "Export Picture",
-            "ctrl E",
-            FileCommands.pictures(),
-            () -> PictureExport.ask(view, view.canvas(), view.document(), jobs, done -> {}));
+        .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs));
     view.commands().add("Close", "ctrl W", "Closes this view", view::close);
     ViewCommands.offer(view.commands(), view.canvas());
     Explainer explainer =
         new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
     explainer.offer(view.commands());
     view.addListener(explainer::refresh);
+  }
+
+  /** There is no status line to say that it is done. */
+  private static void export(ResultView view, Jobs jobs) {
+    String name = PictureExport.fileName(view.document()) + " " + view.method();
+    PictureExport.ask(
+        view,
+        view.canvas(),
+        name,
+        jobs,
+        done -> SwingUtilities.invokeLater(() -> Ask.tell(view, "Export Picture", done + ".")));
   }
 }

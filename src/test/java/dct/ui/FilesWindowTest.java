@@ -95,6 +95,29 @@ class FilesWindowTest extends WindowTest {
     settle();
   }
 
+  @Test
+  void aFileIsOpenedAndAPictureExportedWhileASearchRuns() throws Exception {
+    Path sites = folder.resolve("a_pointbased.txt");
+    PointFile.write(sites, Domain.SITES, TRIANGLE, Progress.NONE);
+    choose("Polygon Based");
+    CountDownLatch end = new CountDownLatch(1);
+    search(end);
+    menu("Open");
+    typeName(sites.toString());
+    await("the file is open", () -> onEventThread(() -> window.getTitle().startsWith("a_point")));
+    menu("Export Picture");
+    typeName(folder.resolve("picture.svg").toString());
+    await("the picture", () -> frame.label("status").text().startsWith("Exported "));
+    assertThat(folder.resolve("picture.svg")).isNotEmptyFile();
+    assertThat(onEventThread(() -> window.workbench().jobs().work())).containsExactly("Search");
+    clickMenu("File");
+    clickMenu("Exit");
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).contains("What is going on would end: Search.");
+    end.countDown();
+    answer(question, "Cancel");
+  }
+
   /** Runs a search until the latch is down. */
   private void search(CountDownLatch end) {
     onEventThread(

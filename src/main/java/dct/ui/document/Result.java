@@ -1,11 +1,6 @@
 package dct.ui.document;
 
-import dct.core.degree.LowerBound;
-import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
-import dct.core.degree.ParityGoal.Wish;
-import dct.core.degree.bound.BoundaryColouring;
-import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import dct.render.Scene;
 import java.util.Objects;
@@ -31,32 +26,9 @@ public record Result(int view, String title, Solution solution, Scene scene) {
     return new Result(view, title, solution, Scene.of(solution));
   }
 
-  /**
-   * The same triangulation, of vertices with other wishes. Its flips stay; of an optimum for other
-   * wishes hardly anything is known.
-   */
+  /** The same triangulation, of vertices with other wishes; see {@link Solution#wishing}. */
   public Result wishing(ParityGoal wishes) {
-    Solution plain = solution.wishing(wishes);
-    Solution same =
-        solution
-            .flips()
-            .map(plain::flipped)
-            .orElseGet(
-                () ->
-                    solution
-                        .optimum()
-                        .map(best -> plain.optimized(bare(best, wishes), solution.limits()))
-                        .orElse(plain));
-    return new Result(view, title, same, scene.withoutVerdict());
-  }
-
-  private static Optimum bare(Optimum best, ParityGoal wishes) {
-    Triangulation made = best.triangulation();
-    LowerBound bound =
-        wishes.isAll(Wish.EVEN)
-            ? BoundaryColouring.allEven(made.boundaryCount(), "boundary vertices")
-            : new LowerBound(0, "not searched for with these wishes");
-    return new Optimum(made, wishes, wishes.unmet(made), bound, true);
+    return new Result(view, title, solution.wishing(wishes), scene.withoutVerdict());
   }
 
   /** Whether it cannot be made again at once: it has flips or was searched for. */
