@@ -10,14 +10,18 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** What the user wishes of the degrees, and how long to look for it. */
 final class OptimizeParameters {
+  private static final double LEAST_EFFORT = 0.01;
+
   private final Console console;
   private final OptionSpec goal;
   private final OptionSpec timeLimit;
   private final OptionSpec seed;
+  private final OptionSpec effort;
 
   /** Declares them. */
   OptimizeParameters(Verb verb) {
@@ -27,8 +31,8 @@ final class OptimizeParameters {
             "--optimize",
             "even|odd|FILE",
             String.class,
-            "Find the triangulation with the most even, or odd, vertices; or, with a file that has a"
-                + " line \"v even|odd|any\" for each vertex that shall not be even, the one that"
+            "Find the triangulation with the most even, or odd, vertices; or, with a file that has"
+                + " a line \"v even|odd|any\" for each vertex that shall not be even, the one that"
                 + " grants the most wishes.");
     timeLimit =
         verb.option(
@@ -42,6 +46,12 @@ final class OptimizeParameters {
             "N",
             Long.class,
             "With --optimize: the seed of its random choices, 1 if absent.");
+    effort =
+        verb.option(
+            "--effort",
+            "E",
+            Double.class,
+            "With --optimize: how hard to try, 1 if absent; 2 takes about twice as long.");
   }
 
   /** Whether the user asked for it. */
@@ -58,8 +68,9 @@ final class OptimizeParameters {
     if (isAsked() && flip) {
       throw new UsageException("--flip and --optimize exclude each other, leave one out");
     }
-    if (!isAsked() && (timeLimit.getValue() != null || seed.getValue() != null)) {
-      throw new UsageException("--time-limit and --seed belong to --optimize, which is missing");
+    if (!isAsked() && Stream.of(timeLimit, seed, effort).anyMatch(o -> o.getValue() != null)) {
+      throw new UsageException(
+          "--time-limit, --seed and --effort belong to --optimize, which is missing");
     }
     if (input.equals(Verb.STANDARD_STREAM) && input.equals(goal.getValue())) {
       throw new UsageException("INPUT and --optimize both want standard input, name a file");
@@ -67,6 +78,10 @@ final class OptimizeParameters {
     Double seconds = timeLimit.getValue();
     if (seconds != null && !(seconds >= 0)) {
       throw new UsageException("--time-limit is a number of seconds, 0 or more");
+    }
+    Double hard = effort.getValue();
+    if (hard != null && !(hard >= LEAST_EFFORT && Double.isFinite(hard))) {
+      throw new UsageException("--effort is a number, 0.01 or more; 1 is usual");
     }
   }
 
@@ -100,9 +115,10 @@ final class OptimizeParameters {
     SearchLimits usual = SearchLimits.DEFAULT;
     Long number = seed.getValue();
     Double seconds = timeLimit.getValue();
+    Double hard = effort.getValue();
     return new SearchLimits(
         number == null ? usual.seed() : number,
-        usual.effort(),
+        hard == null ? usual.effort() : hard,
         seconds == null ? usual.seconds() : seconds);
   }
 }

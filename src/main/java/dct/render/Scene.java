@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.dcel.Dcel;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
@@ -11,6 +12,7 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MovedSite;
+import dct.core.triangulate.Partition;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import java.util.ArrayList;
@@ -167,6 +169,22 @@ public final class Scene {
         degrees(triangulation),
         counts,
         List.of());
+  }
+
+  /** A polygon in pieces, with their number; its vertices have no degrees yet. */
+  public static Scene of(Partition partition) {
+    Dcel dcel = partition.dcel();
+    EdgeLayer cuts = new EdgeLayer(STROKES.get(EdgeKind.PARTITION), dcel.edgeCount());
+    EdgeLayer outline = new EdgeLayer(OUTLINE, partition.polygon().size());
+    for (int edge = 0; edge < dcel.edgeBound(); edge++) {
+      if (dcel.hasEdge(edge)) {
+        EdgeLayer layer = dcel.isBoundary(edge) ? outline : cuts;
+        layer.add(dcel.origin(2 * edge), dcel.target(2 * edge));
+      }
+    }
+    List<String> counts = List.of("Pieces " + partition.pieces());
+    return new Scene(
+        partition.polygon().points(), true, List.of(cuts, outline), null, counts, List.of());
   }
 
   /** Points that nothing connects yet. */

@@ -1,58 +1,119 @@
 package dct.ui;
 
-import dct.ui.command.Command;
+import dct.ui.command.EscapeKey;
+import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Frame;
-import java.util.ArrayList;
 import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.table.DefaultTableModel;
+import javax.swing.JTextField;
+import javax.swing.ListSelectionModel;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.table.DefaultTableCellRenderer;
 
-/** Help ▸ Commands and Keys: everything that can be done, and how. */
-final class CommandList {
-  private static final String[] COLUMNS = {"Command", "Key", "What it does"};
-  private static final List<String[]> MOUSE =
-      List.of(
-          new String[] {"Zoom", "Wheel", "Zooms at the mouse"},
-          new String[] {"Pan", "Middle button, Space+drag", "Moves the picture with the mouse"},
-          new String[] {
-            "Give up", "Escape", "Puts a dragged vertex back, or stops what is going on"
-          });
+/**
+ * Help ▸ Commands and Keys: everything that can be done, and how, by menu. A field above narrows it
+ * to the lines that hold some words. The window beside it can be used on.
+ */
+final class CommandList extends JDialog {
+  private static final long serialVersionUID = 1L;
+  private static final int[] WIDTHS = {90, 250, 210, 470};
+  private static final int ROW = 24;
 
-  private CommandList() {}
+  private final JTextField field = new JTextField(24);
+  private final CommandLinesModel model;
 
-  /** Shows the list beside the window, which can be used on. */
-  static void show(Frame owner, List<Command> commands) {
-    List<String[]> rows = new ArrayList<>();
-    for (Command command : commands) {
-      rows.add(new String[] {command.name(), command.keyText(), command.description()});
-    }
-    rows.addAll(MOUSE);
-    JTable table = new JTable(model(rows));
-    table.setName("commands");
-    table.getColumnModel().getColumn(0).setPreferredWidth(260);
-    table.getColumnModel().getColumn(1).setPreferredWidth(200);
-    table.getColumnModel().getColumn(2).setPreferredWidth(500);
-    JDialog dialog = new JDialog(owner, "Commands and Keys");
-    JScrollPane scroll = new JScrollPane(table);
-    scroll.setPreferredSize(new Dimension(980, 620));
-    dialog.add(scroll);
-    dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
-    dialog.pack();
-    dialog.setLocationRelativeTo(owner);
-    dialog.setVisible(true);
+  private CommandList(Frame owner, List<CommandLines> lines) {
+    super(owner, "Commands and Keys");
+    setName("commandList");
+    model = new CommandLinesModel(lines);
+    JPanel content = new JPanel(new BorderLayout(0, 8));
+    content.setBorder(BorderFactory.createEmptyBorder(10, 10, 10, 10));
+    content.add(search(), BorderLayout.NORTH);
+    JScrollPane scroll = new JScrollPane(table());
+    scroll.setPreferredSize(new Dimension(1020, 620));
+    content.add(scroll, BorderLayout.CENTER);
+    setContentPane(content);
+    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    EscapeKey.closes(this);
+    pack();
+    setLocationRelativeTo(owner);
   }
 
-  private static DefaultTableModel model(List<String[]> rows) {
-    return new DefaultTableModel(rows.toArray(String[][]::new), COLUMNS) {
-      private static final long serialVersionUID = 1L;
+  /** Shows the list beside the window. */
+  static void show(Frame owner, List<CommandLines> lines) {
+    new CommandList(owner, lines).setVisible(true);
+  }
 
-      @Override
-      public boolean isCellEditable(int row, int column) {
-        return false;
-      }
-    };
+  private JComponent search() {
+    JLabel label = new JLabel("Search:");
+    label.setDisplayedMnemonic('s');
+    label.setLabelFor(field);
+    field.setName("searchCommands");
+    field.setToolTipText("Shows the lines that hold all these words");
+    field.getDocument().addDocumentListener(new Typing());
+    JPanel line = new JPanel(new BorderLayout(8, 0));
+    line.add(label, BorderLayout.WEST);
+    line.add(field, BorderLayout.CENTER);
+    return line;
+  }
+
+  private JTable table() {
+    JTable table = new JTable(model);
+    table.setName("commands");
+    table.getAccessibleContext().setAccessibleName("Commands and keys");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setRowHeight(ROW);
+    table.setDefaultRenderer(Object.class, new Cells());
+    for (int column = 0; column < WIDTHS.length; column++) {
+      table.getColumnModel().getColumn(column).setPreferredWidth(WIDTHS[column]);
+    }
+    return table;
+  }
+
+  /** A group is named in its first line; what does not fit in is shown under the mouse. */
+  private final class Cells extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      boolean repeated = column == 0 && !model.beginsGroup(row);
+      Object shown = repeated ? "" : value;
+      super.getTableCellRendererComponent(table, shown, selected, focused, row, column);
+      setFont(column == 0 ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      setToolTipText(String.valueOf(value));
+      return this;
+    }
+  }
+
+  private final class Typing implements DocumentListener {
+    private void search() {
+      model.search(field.getText());
+    }
+
+    @Override
+    public void insertUpdate(DocumentEvent e) {
+      search();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent e) {
+      search();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent e) {
+      // attributes of a plain text
+    }
   }
 }

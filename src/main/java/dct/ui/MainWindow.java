@@ -67,7 +67,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     this.session = session;
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
-    status = new StatusBar(workbench.jobs()::cancelCurrent);
+    status = new StatusBar(workbench.jobs());
     results = new ResultFrames(workbench, this, canvas::labels, this::folder);
     files = new FileWork(this, workbench, session.recent(), this::showOpened);
     crossings = new CrossingWork(workbench, canvas);
@@ -104,12 +104,16 @@ public final class MainWindow extends JFrame implements CommandWindow {
     EditCommands.offer(commands, workbench);
     crossings.offer(commands);
     FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);
+    CallCopy calls = new CallCopy(this, workbench);
+    SearchOptions searches = new SearchOptions(calls::copySearch);
     TriangulateCommands.offer(
         commands,
         workbench,
-        new ResultWork(workbench, results::showLate),
+        new ResultWork(workbench, results::showLate, searches::limits),
         new WishWork(this, workbench, files::folder));
-    RandomCommands.offer(commands, this, workbench, canvas::showWell);
+    searches.offer(commands, this);
+    PieceWork.offer(commands, workbench, results::show);
+    RandomCommands.offer(commands, this, workbench, calls, canvas::showWell);
     studies.offer(commands);
     ViewCommands.offer(commands, canvas);
     commands
@@ -117,7 +121,9 @@ public final class MainWindow extends JFrame implements CommandWindow {
         .selectedWhen(() -> tools == null || tools.isVisible());
     LiveCommands.offer(commands, workbench);
     explainer.offer(commands);
-    HelpCommands.offer(commands, this);
+    CheckWork checks = new CheckWork(this, workbench, crossings::goTo);
+    HelpCommands.offer(commands, this, workbench, checks, calls);
+    status.offer(commands);
     commands.add(
         "Give Up",
         "ESCAPE",
@@ -168,6 +174,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
           }
         });
     new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
+    canvas.setDescription(() -> CanvasWords.of(workbench.active()));
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
     workbench.addListener(this::refresh);
     workbench.flips().addListener(this::refresh);
@@ -341,6 +348,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
     @Override
     public void idle() {
       status.idle();
+    }
+
+    @Override
+    public void listed() {
+      status.listed();
+      commands.refresh();
     }
 
     @Override

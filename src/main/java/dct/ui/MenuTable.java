@@ -101,7 +101,9 @@ final class MenuTable {
               "Untangle",
               "Use as Sites",
               LINE,
-              "Clear Canvas"),
+              "Clear Canvas",
+              LINE,
+              "Copy as Command Line"),
           Plan.of(
               "Triangulate",
               "Polygon Based",
@@ -111,6 +113,8 @@ final class MenuTable {
               "Convex Polygon Odd Triangulation",
               "Monotone Polygon Triangulation",
               "Ear Clipping Triangulation",
+              "Convex Partition",
+              "Monotone Partition",
               "Delaunay",
               "None",
               LINE,
@@ -118,13 +122,24 @@ final class MenuTable {
               "Most Even Vertices",
               "Most Odd Vertices",
               "Wished Parities…",
+              "Search Options…",
+              "Background Work",
               LINE,
               "Random Sites",
               "Random Polygon…"),
           Plan.of("Study", "Point Sites…", "Polygons…"),
           view("Live Triangulation", "Live Method", LINE, "Flips", "Tool Bar", LINE),
           REPLAY,
-          Plan.of("Help", "Why?", "Verify Result", LINE, "Commands and Keys", "About"));
+          Plan.of(
+              "Help",
+              "Why?",
+              "Verify Result",
+              "Check Input",
+              LINE,
+              "Commands and Keys",
+              "Find Command…",
+              LINE,
+              "About"));
 
   /** The menus of a frame that shows a result. */
   static final List<Plan> RESULT =

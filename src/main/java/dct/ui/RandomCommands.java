@@ -15,11 +15,21 @@ final class RandomCommands {
    * @param shown is run when something else was put on the canvas
    */
   static void offer(
-      CommandRegistry commands, Component parent, Workbench workbench, Runnable shown) {
-    RandomSitesWork sites = new RandomSitesWork(parent, workbench, shown);
-    RandomPolygon polygons = new RandomPolygon(parent, workbench, shown);
+      CommandRegistry commands,
+      Component parent,
+      Workbench workbench,
+      CallCopy calls,
+      Runnable shown) {
+    RandomWork sites =
+        new RandomWork("Random Sites", Domain.SITES, parent, workbench, calls, shown);
+    RandomWork polygons =
+        new RandomWork("Random Polygon", Domain.POLYGON, parent, workbench, calls, shown);
     commands
-        .add("Random Sites", "shift R", "Puts n random sites on the canvas", sites::random)
+        .add(
+            "Random Sites",
+            "shift R",
+            "Puts random sites of a shape to choose on the canvas",
+            sites::ask)
         .enabledWhen(() -> workbench.isChosen(Domain.SITES));
     commands
         .add(

@@ -94,8 +94,17 @@ final class ResultFrames {
     show(late.result(), late.name(), Optional.empty());
   }
 
+  /** Opens a frame with pieces of a polygon, which are no part of the history either. */
+  void show(PieceWork.Pieces pieces) {
+    ResultView view = new ResultView(pieces.title(), pieces.name(), pieces.scene(), labels.get());
+    show(view, Optional.empty());
+  }
+
   private ResultFrame show(Result result, String name, Optional<ResultFrame> beside) {
-    ResultView view = new ResultView(result, name, labels.get());
+    return show(new ResultView(result, name, labels.get()), beside);
+  }
+
+  private ResultFrame show(ResultView view, Optional<ResultFrame> beside) {
     ResultCommands.offer(view, workbench.jobs());
     flips.add(new ResultFlips(view, workbench, () -> isOfHistory(view), folder));
     ResultFrame frame = new ResultFrame(view);

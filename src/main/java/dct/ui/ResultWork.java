@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 
 /**
  * Makes results of the document: triangulations, flips and optima. Each becomes a step of the
@@ -24,6 +25,7 @@ final class ResultWork {
 
   private final Workbench workbench;
   private final Consumer<Late> late;
+  private final Supplier<SearchLimits> limits;
   private Method method = Method.byDefault(Domain.POLYGON);
   private int views = Result.OPENED;
 
@@ -39,10 +41,12 @@ final class ResultWork {
    * Work on the documents of a workbench.
    *
    * @param late is given what comes too late to become a step
+   * @param limits what searches are given
    */
-  ResultWork(Workbench workbench, Consumer<Late> late) {
+  ResultWork(Workbench workbench, Consumer<Late> late, Supplier<SearchLimits> limits) {
     this.workbench = workbench;
     this.late = late;
+    this.limits = limits;
   }
 
   /** Triangulates the polygon by this method. */
@@ -108,12 +112,11 @@ final class ResultWork {
   private void optimize(Editor editor, String what, IntFunction<ParityGoal> goal) {
     Optional<Function<Progress, Solution>> start = start(editor, "improve");
     if (start.isPresent()) {
+      SearchLimits given = limits.get();
       Function<Progress, Solution> search =
           progress -> {
             Solution before = start.get().apply(progress);
-            return before
-                .wishing(goal.apply(before.instance().size()))
-                .optimized(SearchLimits.DEFAULT, progress);
+            return before.wishing(goal.apply(before.instance().size())).optimized(given, progress);
           };
       Document document = editor.document();
       int view = view(editor);

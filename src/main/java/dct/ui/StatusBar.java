@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.command.CommandRegistry;
+import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -23,24 +25,30 @@ final class StatusBar extends JPanel {
   private final JLabel work = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, 1000);
   private final JPanel running = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+  private final JobList list;
   private final Timer patience;
   private String hint = "";
   private transient Object state; // of the document when the message was shown
   private transient Object latest; // as it is now
 
-  StatusBar(Runnable cancel) {
+  /** A status line that shows these jobs. */
+  StatusBar(Jobs jobs) {
     super(new BorderLayout(12, 0));
     setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
     message.setName("status");
-    message.getAccessibleContext().setAccessibleName("Status");
+    message.getAccessibleContext().setAccessibleDescription("Status");
+    zoom.setName("zoom");
+    zoom.getAccessibleContext().setAccessibleDescription("Scale of the canvas");
+    list = new JobList(jobs);
     JButton stop = new JButton("Cancel");
     stop.setName("cancelJob");
     stop.setToolTipText("Stops what is going on (Esc)");
     stop.setMargin(new java.awt.Insets(1, 8, 1, 8));
-    stop.addActionListener(e -> cancel.run());
+    stop.addActionListener(e -> jobs.cancelCurrent());
     bar.getAccessibleContext().setAccessibleName("Progress");
     running.add(work);
     running.add(bar);
+    running.add(list);
     running.add(stop);
     JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
     right.add(running);
@@ -63,14 +71,20 @@ final class StatusBar extends JPanel {
     if (!text.equals(hint) || latest != state) {
       hint = text;
       state = latest;
-      message.setText(text);
+      show(text);
     }
+  }
+
+  /** Shows a text; a screen reader says it. */
+  private void show(String text) {
+    message.setText(text);
+    message.getAccessibleContext().setAccessibleName(text);
   }
 
   /** Shows a message about the document as it is. */
   void say(String text) {
     state = latest;
-    message.setText(text);
+    show(text);
   }
 
   /** Shows the scale of the canvas. */
@@ -91,6 +105,22 @@ final class StatusBar extends JPanel {
     if (!running.isVisible() && (begins || !patience.isRunning())) {
       patience.restart();
     }
+  }
+
+  /** Shows which jobs wait. */
+  void listed() {
+    list.refresh();
+  }
+
+  /** Offers the command that opens the list of the jobs. */
+  void offer(CommandRegistry commands) {
+    commands
+        .add(
+            "Background Work",
+            "ctrl J",
+            "Lists what goes on and what waits, each to be cancelled",
+            () -> list.open(list.isShowing() ? list : message))
+        .enabledWhen(list::hasJobs);
   }
 
   /** Shows that nothing is going on. */

@@ -96,16 +96,17 @@ final class WishWork {
                 .read(
                     "Reading " + path.getFileName(),
                     progress -> WishFile.read(path, document.size(), progress),
-                    wishes -> loaded(editor, document, wishes, optimizer)));
+                    wishes -> loaded(editor, document, wishes, path, optimizer)));
   }
 
-  private void loaded(Editor editor, Document document, ParityGoal wishes, Optimizer optimizer) {
+  private void loaded(
+      Editor editor, Document document, ParityGoal wishes, Path from, Optimizer optimizer) {
     if (editor.document().size() != document.size()) {
       workbench.say("The vertices have changed meanwhile; the wishes were not taken over");
       return;
     }
     editor.perform(Edit.wishes("Load Wishes", editor.document(), wishes));
-    editor.wishesSaved(editor.document());
+    editor.wishesSaved(editor.document(), from);
     // A dialog waits for its answer; the queue of jobs must not wait with it.
     SwingUtilities.invokeLater(() -> ask(editor, optimizer));
   }
@@ -128,7 +129,7 @@ final class WishWork {
             "Saving " + file.getFileName(),
             progress -> write(file, document.wishes(), progress),
             written -> {
-              editor.wishesSaved(document);
+              editor.wishesSaved(document, written);
               workbench.say("Saved " + written);
             });
   }

@@ -160,11 +160,12 @@ class SitesWindowTest extends WindowTest {
   void randomSitesAsksForTheirNumber() {
     choose("Point Sites Based");
     frame.button("Random Sites").click();
-    fill(dialog().textBox(), "ten");
+    fill(dialog().textBox("vertices"), "ten");
     answer(dialog(), "OK");
-    assertThat(message(dialog())).contains("“ten” is not a whole number from 1");
+    assertThat(message(dialog()))
+        .contains("“ten” is no number of sites; type a whole number from 1");
     answer(dialog(), "OK");
-    fill(dialog().textBox(), "1000");
+    fill(dialog().textBox("vertices"), "1000");
     answer(dialog(), "OK");
     assertThat(points().size()).isEqualTo(1000);
     Triangulation delaunay = delaunay(points());
@@ -180,7 +181,7 @@ class SitesWindowTest extends WindowTest {
   void manySitesAreDrawnAndFollowADragAndTheWheel() {
     choose("Point Sites Based");
     frame.button("Random Sites").click();
-    fill(dialog().textBox(), "5000");
+    fill(dialog().textBox("vertices"), "5000");
     answer(dialog(), "OK");
     await("the sites", () -> points().size() == 5000);
     settle();

@@ -19,8 +19,12 @@ public final class ConvexPieces {
     void cut(Dcel dcel, int v0, int n, Progress progress);
   }
 
-  /** The convex pieces of a simple polygon, merged from its monotone triangulation. */
-  static Partition of(SimplePolygon polygon, Progress progress) {
+  /**
+   * The convex pieces of a simple polygon, merged from its monotone triangulation.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Partition of(SimplePolygon polygon, Progress progress) {
     return HertelMehlhorn.partition(
         polygon, MonotoneTriangulation.triangulate(polygon, progress), progress);
   }

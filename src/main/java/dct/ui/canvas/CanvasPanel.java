@@ -19,6 +19,8 @@ import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
@@ -56,11 +58,29 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     new Navigation(this, this);
   }
 
+  /** Says how what is shown is put into words, for a screen reader; it is asked only by one. */
+  public void setDescription(Supplier<String> words) {
+    access().setWords(words);
+  }
+
+  @Override
+  public AccessibleContext getAccessibleContext() {
+    return access();
+  }
+
+  private CanvasAccess access() {
+    if (accessibleContext == null) {
+      accessibleContext = new CanvasAccess(this);
+    }
+    return (CanvasAccess) accessibleContext;
+  }
+
   /** Shows another scene, in the same viewport. */
   public void setScene(Scene scene) {
     if (scene != given) { // an equal one need not be drawn anew
       given = scene;
       this.scene = scene.withLabels(labels);
+      access().changed();
     }
     repaint();
   }

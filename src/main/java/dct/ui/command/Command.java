@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.JTable;
@@ -123,6 +124,11 @@ public final class Command extends AbstractAction {
   /** Its key for a person to read; empty if it has none. */
   public String keyText() {
     return getValue(ACCELERATOR_KEY) instanceof KeyStroke key ? text(key) : "";
+  }
+
+  /** All its keys for a person to read, as "Ctrl+Shift+Z or Ctrl+Y". */
+  public String keyTexts() {
+    return keys.stream().map(Command::text).collect(Collectors.joining(" or "));
   }
 
   /** A key for a person to read, as "Ctrl+Shift+Z". */

@@ -58,6 +58,11 @@ public final class CommandRegistry {
     return command;
   }
 
+  /** Whether this is the name of a menu within a menu. */
+  public boolean isSubmenu(String name) {
+    return fillers.containsKey(name);
+  }
+
   /** The menu within a menu of this name, if there is one. */
   Optional<JMenu> submenu(String name) {
     Consumer<JMenu> fill = fillers.get(name);

@@ -1,47 +1,68 @@
 package dct.ui.command;
 
 import java.awt.Component;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.Map;
 import java.util.Set;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 
-/** Underlined letters for the items of a menu, each letter once. */
+/**
+ * Underlined letters for the items of a menu, each letter once. An item gets the first letter of a
+ * word of its name if it can; where too few letters are left, items before it make way (augmenting
+ * paths), so that as many as possible have one.
+ */
 final class Mnemonics {
+  private final Map<Character, JMenuItem> taken = new HashMap<>();
 
   private Mnemonics() {}
 
-  /** Gives each item that has none the first letter of a word of its name that is free. */
+  /** Gives each item a letter. */
   static void give(JMenu menu) {
-    Set<Character> taken = new HashSet<>();
+    Mnemonics letters = new Mnemonics();
     for (Component item : menu.getMenuComponents()) {
       if (item instanceof JMenuItem button) {
-        choose(button.getText(), taken).ifPresent(button::setMnemonic);
+        letters.place(button, new HashSet<>());
       }
     }
+    letters.taken.forEach((letter, item) -> item.setMnemonic(letter));
   }
 
-  /** The first letters of words come before those within words. */
-  private static Optional<Character> choose(String name, Set<Character> taken) {
-    String letters = initials(name) + name;
-    for (char c : letters.toLowerCase(Locale.ROOT).toCharArray()) {
+  /** Finds a letter for an item, moving others where that helps. */
+  private boolean place(JMenuItem item, Set<Character> tried) {
+    List<Character> letters = letters(item.getText());
+    for (char letter : letters) {
+      if (!taken.containsKey(letter)) {
+        taken.put(letter, item);
+        return true;
+      }
+    }
+    for (char letter : letters) {
+      if (tried.add(letter) && place(taken.get(letter), tried)) {
+        taken.put(letter, item);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The letters and digits of a name, those that begin a word first. */
+  private static List<Character> letters(String name) {
+    List<Character> initials = new ArrayList<>();
+    List<Character> others = new ArrayList<>();
+    String small = name.toLowerCase(Locale.ROOT);
+    for (int i = 0; i < small.length(); i++) {
+      char c = small.charAt(i);
       boolean plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-      if (plain && taken.add(c)) {
-        return Optional.of(c);
+      if (plain) {
+        (i == 0 || small.charAt(i - 1) == ' ' ? initials : others).add(c);
       }
     }
-    return Optional.empty();
-  }
-
-  private static String initials(String name) {
-    StringBuilder initials = new StringBuilder();
-    for (int i = 0; i < name.length(); i++) {
-      if (i == 0 || name.charAt(i - 1) == ' ') {
-        initials.append(name.charAt(i));
-      }
-    }
-    return initials.toString();
+    initials.addAll(others);
+    return initials;
   }
 }

@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.ui.job.Jobs;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -25,6 +26,8 @@ public final class Editor {
   private History history;
   private String name;
   private Optional<Origin> origin = Optional.empty();
+  private Optional<Path> wishFile = Optional.empty(); // saved to or read from last
+  private Document wishesInFile; // the state whose wishes it holds
   private Document provisional; // while a drag lasts, else null
   private Analysis shown;
   private final LivePicture live = new LivePicture(); // of large sets of sites
@@ -135,6 +138,18 @@ public final class Editor {
     provisional = null;
     history.redo();
     analyse();
+  }
+
+  /** The file that holds the wishes as they are, if there is one. */
+  public Optional<Path> wishFile() {
+    return wishFile.filter(held -> wishesInFile.wishes().equals(document().wishes()));
+  }
+
+  /** Says that a state's wishes are in a file of their own now. */
+  public void wishesSaved(Document document, Path newFile) {
+    wishFile = Optional.of(newFile);
+    wishesInFile = document;
+    wishesSaved(document);
   }
 
   /** Says that a state's wishes are in a file now. */

@@ -98,6 +98,16 @@ public final class History {
     return latest;
   }
 
+  /** The step that made the present result, if it was made here and is as it was made. */
+  public Optional<Edit.Made> making() {
+    return done.stream()
+        .map(Step::edit)
+        .filter(Edit.Made.class::isInstance)
+        .map(Edit.Made.class::cast)
+        .findFirst()
+        .filter(made -> made.after().isPresent() && made.after().equals(present.result()));
+  }
+
   /** Says of which state the points were saved. */
   public void markSaved(Document document) {
     saved = document.points();

@@ -31,6 +31,9 @@ public final class Jobs {
 
     /** A job failed, not by being cancelled. */
     void failed(String what, Throwable cause);
+
+    /** A job has come to the list of {@link Jobs#tasks}, has begun, or has left it. */
+    default void listed() {}
   }
 
   /** A job that was queued. */
@@ -40,6 +43,18 @@ public final class Jobs {
 
     /** Cancels the job if it has not begun yet. */
     void withdraw();
+  }
+
+  /** A job that waits or runs, as the user sees it. */
+  public interface Task extends Handle {
+    /** What is being done. */
+    String what();
+
+    /** Whether it runs already. */
+    boolean hasBegun();
+
+    /** Whether it writes a file: that is not to be cancelled. */
+    boolean isWrite();
   }
 
   /** What follows each other in order. */
@@ -116,8 +131,20 @@ public final class Jobs {
       Lane lane, String what, Function<Progress, T> work, Consumer<T> done, boolean isSearch) {
     Job<T> job = new Job<>(lane, what, work, done, isSearch);
     waiting.add(job);
+    listed();
     threads.get(lane).execute(job);
     return job;
+  }
+
+  private void listed() {
+    if (listener != null) {
+      listener.listed();
+    }
+  }
+
+  /** The jobs that run or wait, in the order in which they were queued. */
+  public List<Task> tasks() {
+    return waiting.stream().filter(Job::isAlive).map(Task.class::cast).toList();
   }
 
   /** Cancels the job that the listener was told of last, unless it writes a file. */
@@ -154,11 +181,10 @@ public final class Jobs {
     threads.values().forEach(ExecutorService::shutdown);
   }
 
-  /** Tells of a job, if it is the current one, and how many others wait for their turn. */
+  /** Tells of a job, if it is the current one. */
   private void announce(Job<?> job, double fraction) {
     if (listener != null && current().filter(job::equals).isPresent()) {
-      long next = waiting.stream().filter(other -> other != job && !other.hasBegun()).count();
-      listener.running(job.what() + (next == 0 ? "" : " (" + next + " waiting)"), fraction);
+      listener.running(job.what(), fraction);
     }
   }
 
@@ -166,6 +192,7 @@ public final class Jobs {
   private void ended(Job<?> job, Runnable then) {
     boolean wasCurrent = current().filter(job::equals).isPresent();
     waiting.remove(job);
+    listed();
     try {
       then.run();
     } finally {
@@ -184,7 +211,7 @@ public final class Jobs {
   }
 
   /** One piece of work in a queue. */
-  private final class Job<T> implements Runnable, Progress, Handle {
+  private final class Job<T> implements Runnable, Progress, Task {
     private final String what;
     private final Function<Progress, T> work;
     private final Consumer<T> done;
@@ -203,22 +230,31 @@ public final class Jobs {
       this.isSearch = isSearch;
     }
 
-    String what() {
+    @Override
+    public String what() {
       return what;
     }
 
     /** Whether it writes a file: what is asked to be written is written, whatever is cancelled. */
-    boolean isWrite() {
+    @Override
+    public boolean isWrite() {
       return lane == Lane.WRITES;
     }
 
-    boolean hasBegun() {
+    @Override
+    public boolean hasBegun() {
       return begun.get();
+    }
+
+    /** Whether it runs or will run. */
+    boolean isAlive() {
+      return hasBegun() || !isCancelled();
     }
 
     @Override
     public void cancel() {
       cancelled.set(true);
+      SwingUtilities.invokeLater(Jobs.this::listed);
     }
 
     @Override
@@ -232,7 +268,11 @@ public final class Jobs {
     @Override
     public void run() {
       begun.set(true);
-      SwingUtilities.invokeLater(() -> announce(this, -1));
+      SwingUtilities.invokeLater(
+          () -> {
+            listed();
+            announce(this, -1);
+          });
       Runnable then;
       try {
         checkCancelled();

@@ -73,4 +73,19 @@ class CommandRegistryTest {
     assertThat(command.keys())
         .containsExactly(KeyStroke.getKeyStroke("ctrl shift Z"), KeyStroke.getKeyStroke("ctrl Y"));
   }
+
+  @Test
+  void itemsMakeWaySoThatEachHasALetter() {
+    commands.add("None", "", "Nothing", () -> {});
+    commands.add("One", "", "One", () -> {});
+    commands.add("Neon", "", "Neon", () -> {});
+    commands.add("Ox", "", "Ox", () -> {});
+    Plan plan = Plan.of("File", "Ox", "One", "Neon", "None");
+    JMenu menu = CommandMenu.bar(List.of(plan), commands).getMenu(0);
+    List<Integer> letters = new ArrayList<>();
+    for (int i = 0; i < menu.getItemCount(); i++) {
+      letters.add(menu.getItem(i).getMnemonic());
+    }
+    assertThat(letters).doesNotHaveDuplicates().doesNotContain(0);
+  }
 }

@@ -255,7 +255,7 @@ class JobsTest {
   }
 
   @Test
-  void whatWaitsIsCountedAndWhatIsNextIsTold() throws Exception {
+  void whatWaitsIsListedAndWhatIsNextIsTold() throws Exception {
     CountDownLatch goOn = new CountDownLatch(1);
     SwingUtilities.invokeAndWait(
         () -> {
@@ -263,9 +263,55 @@ class JobsTest {
           jobs.submit("second", progress -> 2, result -> {});
           jobs.submit("third", progress -> 3, result -> {});
         });
-    assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("running first (2 waiting)");
+    assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("running first");
+    assertThat(listed()).containsExactly("first running", "second waiting", "third waiting");
+    SwingUtilities.invokeAndWait(() -> jobs.tasks().get(1).cancel());
+    assertThat(listed()).containsExactly("first running", "third waiting");
     goOn.countDown();
-    assertThat(awaitIdle()).anyMatch(line -> line.startsWith("running third"));
+    assertThat(awaitIdle())
+        .anyMatch(line -> line.startsWith("running third"))
+        .noneMatch(line -> line.startsWith("running second"));
+    assertThat(listed()).isEmpty();
+  }
+
+  private List<String> listed() throws Exception {
+    List<String> lines = new ArrayList<>();
+    SwingUtilities.invokeAndWait(
+        () ->
+            jobs.tasks()
+                .forEach(t -> lines.add(t.what() + (t.hasBegun() ? " running" : " waiting"))));
+    return lines;
+  }
+
+  @Test
+  void eachChangeOfTheListIsTold() throws Exception {
+    List<Integer> sizes = Collections.synchronizedList(new ArrayList<>());
+    LinkedBlockingQueue<String> told = new LinkedBlockingQueue<>();
+    SwingUtilities.invokeAndWait(
+        () -> {
+          jobs.setListener(
+              new Jobs.Listener() {
+                @Override
+                public void running(String what, double fraction) {}
+
+                @Override
+                public void idle() {
+                  told.add("idle");
+                }
+
+                @Override
+                public void failed(String what, Throwable cause) {}
+
+                @Override
+                public void listed() {
+                  sizes.add(jobs.tasks().size());
+                }
+              });
+          jobs.submit("first", progress -> 1, result -> {});
+          jobs.submit("second", progress -> 2, result -> {});
+        });
+    assertThat(told.poll(10, TimeUnit.SECONDS)).isEqualTo("idle");
+    assertThat(sizes).startsWith(1, 2).contains(1).endsWith(0);
   }
 
   private List<String> awaitIdle() throws InterruptedException {
