@@ -27,6 +27,10 @@ public enum Ink {
   DEFECT(0xD8000C, 0xFF4D4F),
   /** Rings round vertices that do not have the parity wished: orange. */
   UNMET(0xE25A00, 0xFF9838),
+  /** Edges that only the first of two results has: brown. */
+  FIRST(0xA65300, 0xFFB45A),
+  /** Edges that only the second of two results has: blue. */
+  SECOND(0x0A5FD6, 0x6FB1FF),
   /** Vertices whose degree is not decided yet. */
   VERTEX(0x3C4350, 0xC4C9D4),
   /** Words and numbers. */

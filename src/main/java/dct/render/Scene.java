@@ -193,6 +193,20 @@ public final class Scene {
   }
 
   /**
+   * Points with edges of several looks, and nothing said of degrees.
+   *
+   * @param polygon whether the points, in order, are the corners of one
+   * @param layers the edges, what is drawn first coming first
+   * @param counts the lines in the upper right corner
+   * @param ringed the vertices to be ringed
+   */
+  static Scene of(
+      Points points, boolean polygon, List<EdgeLayer> layers, List<String> counts, int[] ringed) {
+    Scene plain = new Scene(points, polygon, layers, null, counts, List.of());
+    return new Scene(plain, counts, ringed, Labels.NONE, null);
+  }
+
+  /**
    * A polygon that is not triangulated yet.
    *
    * @param growing whether its last edge, back to the first vertex, is only proposed

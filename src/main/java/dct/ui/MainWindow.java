@@ -5,6 +5,8 @@ import dct.core.triangulate.Domain;
 import dct.render.Labels;
 import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.canvas.InSight;
+import dct.ui.canvas.Links;
 import dct.ui.canvas.ToolMouse;
 import dct.ui.command.CommandMenu;
 import dct.ui.command.CommandRegistry;
@@ -16,6 +18,7 @@ import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
 import dct.ui.icon.ProgramIcon;
 import dct.ui.job.Jobs;
+import dct.ui.result.ViewArea;
 import dct.ui.session.Journal;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
@@ -50,7 +53,11 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final ToolBar tools;
   private final transient CommandRegistry commands = new CommandRegistry();
   private final transient FileWork files;
+  private final transient Links links = new Links();
+  private final transient InSight inSight = new InSight(canvas, links);
+  private final ViewArea area = new ViewArea(canvas, inSight::setShared);
   private final transient ResultFrames results;
+  private final transient ResultViewCommands resultViews;
   private final transient StudyWork studies;
   private final transient FlipCommands flips;
   private final transient Explainer explainer;
@@ -68,12 +75,14 @@ public final class MainWindow extends JFrame implements CommandWindow {
     setName("main");
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs());
-    results = new ResultFrames(workbench, this, canvas::labels, this::folder);
+    links.addDrawing(canvas);
+    results = new ResultFrames(workbench, this, canvas, links, area, this::folder);
+    resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
     files = new FileWork(this, workbench, session.recent(), this::showOpened);
     crossings = new CrossingWork(workbench, canvas);
     closing = new Closing(this, workbench, files, host, this::closeForGood);
     journals = Stream.of(Domain.values()).map(this::journal).toList();
-    studies = new StudyWork(this, canvas, workbench.jobs());
+    studies = new StudyWork(this, canvas, links, results::open);
     explainer = new Explainer(canvas, workbench.jobs(), workbench::solution);
     offerCommands(host);
     flips = offerFlips();
@@ -120,6 +129,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
         .add("Tool Bar", "", "Shows or hides the icons below the menus", this::toggleTools)
         .selectedWhen(() -> tools == null || tools.isVisible());
     LiveCommands.offer(commands, workbench);
+    resultViews.offer();
     explainer.offer(commands);
     CheckWork checks = new CheckWork(this, workbench, crossings::goTo);
     HelpCommands.offer(commands, this, workbench, checks, calls);
@@ -145,7 +155,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void layOut() {
     add(tools, BorderLayout.NORTH);
     JPanel centre = new JPanel(new BorderLayout());
-    centre.add(canvas, BorderLayout.CENTER);
+    centre.add(area, BorderLayout.CENTER);
     JPanel below = new JPanel(new BorderLayout());
     below.add(flips.panel(), BorderLayout.CENTER);
     below.add(status, BorderLayout.SOUTH);
@@ -180,6 +190,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     workbench.flips().addListener(this::refresh);
     workbench.addListener(results::refresh);
     workbench.addListener(explainer::refresh);
+    workbench.addListener(resultViews::refresh);
     workbench.jobs().setListener(new JobListener());
     setTransferHandler(new FileDrop(dropped -> open(dropped, host)));
   }

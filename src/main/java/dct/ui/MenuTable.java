@@ -22,7 +22,13 @@ final class MenuTable {
           "Legend",
           "Y Axis Up",
           LINE,
-          "Dark Look");
+          "Dark Look",
+          LINE,
+          "Results in This Window",
+          "Link Views",
+          LINE,
+          "Compare Results…",
+          "Table of Results");
 
   /** The tool bar of the main window. */
   static final List<String> TOOLS =

@@ -117,36 +117,14 @@ final class Placement {
     timer.start();
   }
 
-  /**
-   * Packs a window and puts it to the right of another, as far as the screen goes; over the owner,
-   * windows are put one after the other a step down and right, below its menus.
-   */
-  static void beside(Window window, Window other, JFrame owner, int already) {
-    window.pack();
-    Rectangle screen = usable(owner);
-    int step = STEP * (1 + already % 6);
-    boolean overOwner = other == owner;
-    int x = overOwner ? owner.getX() + step : other.getX() + other.getWidth();
-    int y =
-        overOwner ? owner.getContentPane().getLocationOnScreen().y + step - STEP / 2 : other.getY();
-    if (!overOwner && x + window.getWidth() > screen.x + screen.width) {
-      // No room on the right: to the left, or else as far right as there is room.
-      int left = other.getX() - window.getWidth();
-      x = left >= screen.x ? left : screen.x + screen.width - window.getWidth();
-      y += STEP;
-    }
-    window.setLocation(
-        Math.max(screen.x, Math.min(x, screen.x + screen.width - window.getWidth())),
-        Math.max(screen.y, Math.min(y, screen.y + screen.height - window.getHeight())));
-  }
-
   private static boolean fits(Window window) {
     Rectangle screen = usable(window);
     Dimension wished = window.getPreferredSize();
     return wished.width <= screen.width && wished.height <= screen.height;
   }
 
-  private static Rectangle usable(Window window) {
+  /** The part of the screen of a window that no bar of the desktop takes. */
+  static Rectangle usable(Window window) {
     GraphicsConfiguration configuration = window.getGraphicsConfiguration();
     Rectangle screen = configuration.getBounds();
     Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(configuration);

@@ -6,6 +6,8 @@ import dct.ui.command.CommandMenu.Plan;
 import dct.ui.command.CommandRegistry;
 import dct.ui.result.ResultView;
 import java.awt.BorderLayout;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.List;
 import javax.swing.JFrame;
 
@@ -23,9 +25,15 @@ public final class ResultFrame extends JFrame implements CommandWindow {
     add(view, BorderLayout.CENTER);
     setJMenuBar(CommandMenu.bar(menus(view), view.commands()));
     view.commands().bindKeys(getRootPane());
-    view.whenClosed(this::dispose);
     view.addListener(() -> setTitle(view.title()));
-    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+    addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent e) {
+            view.close();
+          }
+        });
   }
 
   /** What is no result of a document cannot be flipped. */

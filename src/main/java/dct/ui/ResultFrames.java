@@ -1,11 +1,15 @@
 package dct.ui;
 
 import dct.core.triangulate.Domain;
-import dct.render.Labels;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.canvas.Links;
+import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
 import dct.ui.result.ResultView;
+import dct.ui.result.ViewArea;
+import dct.ui.result.ViewHost;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -14,37 +18,54 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
 
 /**
- * The results of the polygon, each in a frame of its own, as the history has them: a frame is
- * closed when its result is undone, and opened again when that is redone.
+ * The results of the polygon, each in a view of its own, as the history has them: a view is closed
+ * when its result is undone, and opened again when that is redone. They are shown in frames of
+ * their own or within the window.
  */
 final class ResultFrames {
   private final Workbench workbench;
-  private final JFrame owner;
-  private final Supplier<Labels> labels;
+  private final CanvasPanel canvas;
+  private final Links links;
+  private final FrameHost frames;
+  private final ViewArea area;
   private final Supplier<Optional<Path>> folder;
-  private final List<ResultFrame> all = new ArrayList<>(); // also those of earlier documents
-  private final List<ResultFlips> flips = new ArrayList<>(); // one for each of them
-  private final Map<Integer, ResultFrame> frames = new HashMap<>(); // by view
+  private ViewHost host;
+  private Consumer<CommandRegistry> more = commands -> {};
+  private final List<ResultView> all = new ArrayList<>(); // also those of earlier documents
+  private final Map<ResultView, ResultFlips> flips = new HashMap<>(); // of each of them
+  private final Map<Integer, ResultView> views = new HashMap<>(); // by the number of the view
   private final Set<Integer> undone = new HashSet<>(); // views that are closed for now
-  private History history; // of the document that the frames belong to
-  private Optional<ResultFrame> latest = Optional.empty(); // of the result shown last
+  private final Set<Integer> closed = new HashSet<>(); // by the user
+  private History history; // of the document that the views belong to
+  private Optional<ResultView> latest = Optional.empty(); // of the result shown last
 
   /**
-   * Frames of a window; none is open yet.
+   * Views of a window; none is open yet.
    *
-   * @param labels what new frames write beside the vertices
+   * @param canvas whose labels new views have
+   * @param links between the canvas and the views
+   * @param area where views are shown within the window
    * @param folder where the document's file is
    */
   ResultFrames(
-      Workbench workbench, JFrame owner, Supplier<Labels> labels, Supplier<Optional<Path>> folder) {
+      Workbench workbench,
+      JFrame owner,
+      CanvasPanel canvas,
+      Links links,
+      ViewArea area,
+      Supplier<Optional<Path>> folder) {
     this.folder = folder;
     this.workbench = workbench;
-    this.owner = owner;
-    this.labels = labels;
+    this.canvas = canvas;
+    this.links = links;
+    this.area = area;
+    frames = new FrameHost(owner, canvas);
+    host = frames;
     history = editor().history();
   }
 
@@ -52,75 +73,153 @@ final class ResultFrames {
     return workbench.editor(Domain.POLYGON);
   }
 
-  /** Brings the frames up to date with the history. */
+  /** Says what offers each view more commands than its own. */
+  void setCommands(Consumer<CommandRegistry> offer) {
+    more = offer;
+  }
+
+  /** Brings the commands of all views up to date. */
+  void refreshCommands() {
+    all.forEach(view -> view.commands().refresh());
+  }
+
+  /** Whether views are shown within the window. */
+  boolean isInWindow() {
+    return host == area;
+  }
+
+  /** Shows views within the window, or in frames of their own; those that are open, too. */
+  void setInWindow(boolean within) {
+    if (within != isInWindow()) {
+      ViewHost before = host;
+      host = within ? area : frames;
+      for (ResultView view : all) {
+        boolean shown = before.isShown(view);
+        before.release(view);
+        if (shown) {
+          host.show(view, Optional.empty());
+        }
+      }
+    }
+  }
+
+  /** Brings the views up to date with the history. */
   void refresh() {
     if (editor().history() != history) {
       history = editor().history();
-      frames.clear(); // those of the document before stay as they are
+      views.clear(); // those of the document before stay as they are
       undone.clear();
+      closed.clear();
       latest = Optional.empty();
     }
     Map<Integer, Result> results = history.results();
-    frames.forEach((view, frame) -> refresh(view, frame, Optional.ofNullable(results.get(view))));
+    closed.retainAll(results.keySet());
+    views.forEach(
+        (number, view) -> refresh(number, view, Optional.ofNullable(results.get(number))));
     Optional<Result> present = history.present().result();
-    present.filter(result -> !frames.containsKey(result.view())).ifPresent(this::open);
-    latest = present.map(result -> frames.get(result.view()));
-    flips.forEach(ResultFlips::refresh);
+    present
+        .filter(result -> !views.containsKey(result.view()) && !closed.contains(result.view()))
+        .ifPresent(this::open);
+    latest = present.map(result -> views.get(result.view()));
+    flips.values().forEach(ResultFlips::refresh);
   }
 
-  private void refresh(int view, ResultFrame frame, Optional<Result> result) {
+  private void refresh(int number, ResultView view, Optional<Result> result) {
     if (result.isPresent()) {
-      frame.view().show(result.get());
-      if (undone.remove(view)) {
-        frame.setVisible(true);
+      view.show(result.get());
+      if (undone.remove(number)) {
+        host.show(view, Optional.empty());
       }
-    } else if (frame.isVisible()) {
-      undone.add(view);
-      frame.setVisible(false);
+    } else if (host.isShown(view)) {
+      undone.add(number);
+      host.hide(view);
     }
   }
 
   private void open(Result result) {
     // What was flipped is shown beside what it was before, so that they can be compared.
-    Optional<ResultFrame> before =
-        latest.filter(frame -> frame.isShowing() && result.solution().flips().isPresent());
-    ResultFrame frame = show(result, editor().name(), before);
-    before.ifPresent(JFrame::toFront);
-    frames.put(result.view(), frame);
+    Optional<ResultView> before =
+        latest.filter(view -> host.isShown(view) && result.solution().flips().isPresent());
+    ResultView view = viewOf(result, editor().name());
+    views.put(result.view(), view);
+    view.whenClosed(() -> close(result.view(), view));
+    host.show(view, before);
   }
 
-  /** Opens a frame that is no part of the history. */
-  void showLate(ResultWork.Late late) {
-    show(late.result(), late.name(), Optional.empty());
+  private ResultView viewOf(Result result, String name) {
+    ResultView view = new ResultView(result, name, canvas.labels(), links);
+    prepare(view);
+    return view;
   }
 
-  /** Opens a frame with pieces of a polygon, which are no part of the history either. */
+  /** Opens a view of pieces of a polygon, which are no part of the history either. */
   void show(PieceWork.Pieces pieces) {
-    ResultView view = new ResultView(pieces.title(), pieces.name(), pieces.scene(), labels.get());
-    show(view, Optional.empty());
-  }
-
-  private ResultFrame show(Result result, String name, Optional<ResultFrame> beside) {
-    return show(new ResultView(result, name, labels.get()), beside);
-  }
-
-  private ResultFrame show(ResultView view, Optional<ResultFrame> beside) {
-    ResultCommands.offer(view, workbench.jobs());
-    flips.add(new ResultFlips(view, workbench, () -> isOfHistory(view), folder));
-    ResultFrame frame = new ResultFrame(view);
-    JFrame other = beside.isPresent() ? beside.get() : owner;
-    Placement.beside(frame, other, owner, all.size());
-    all.add(frame);
-    frame.setVisible(true);
-    return frame;
+    ResultView view =
+        new ResultView(pieces.title(), pieces.name(), pieces.scene(), canvas.labels(), links);
+    prepare(view);
+    show(view);
   }
 
   private boolean isOfHistory(ResultView view) {
-    return frames.values().stream().anyMatch(frame -> frame.view() == view);
+    return views.containsValue(view);
   }
 
-  /** Closes all frames. */
+  private void prepare(ResultView view) {
+    ResultCommands.offer(view, workbench.jobs());
+    flips.put(view, new ResultFlips(view, workbench, () -> isOfHistory(view), folder));
+    more.accept(view.commands());
+    all.add(view);
+  }
+
+  private void close(int number, ResultView view) {
+    if (views.remove(number, view)) {
+      closed.add(number);
+    }
+    close(view);
+  }
+
+  private void close(ResultView view) {
+    all.remove(view);
+    flips.remove(view);
+    host.release(view);
+  }
+
+  /** Opens a view of a result that is no part of the history. */
+  void showLate(ResultWork.Late late) {
+    show(viewOf(late.result(), late.name()));
+  }
+
+  private void show(ResultView view) {
+    view.whenClosed(() -> close(view));
+    host.show(view, Optional.empty());
+  }
+
+  /** Opens views of something else than results, which belong together. */
+  void open(List<ResultView> pictures) {
+    for (ResultView view : pictures) {
+      prepare(view);
+      view.whenClosed(() -> close(view));
+    }
+    host.showAll(pictures);
+  }
+
+  /** Brings the view of a result to the front; opens one if there is none. */
+  void bringForward(Result result) {
+    Optional<ResultView> shown =
+        all.stream()
+            .filter(view -> host.isShown(view) && view.result().equals(Optional.of(result)))
+            .findFirst();
+    if (shown.isPresent()) {
+      host.toFront(shown.get());
+    } else if (closed.remove(result.view())) {
+      open(result);
+    } else {
+      showLate(new ResultWork.Late(result, workbench.active().map(Editor::name).orElse("")));
+    }
+  }
+
+  /** Closes all views. */
   void dispose() {
-    all.forEach(JFrame::dispose);
+    all.forEach(host::release);
   }
 }

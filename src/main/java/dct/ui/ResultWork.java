@@ -10,6 +10,7 @@ import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -123,9 +124,7 @@ final class ResultWork {
       workbench
           .jobs()
           .submitSearch(
-              what,
-              search.andThen(found -> Result.of(view, what, found)),
-              result -> accept(editor, what, document, result));
+              what, timed(search, view, what), result -> accept(editor, what, document, result));
     }
   }
 
@@ -162,10 +161,18 @@ final class ResultWork {
     int view = view(editor);
     workbench
         .jobs()
-        .submit(
-            label,
-            work.andThen(made -> Result.of(view, title, made)),
-            result -> accept(editor, label, document, result));
+        .submit(label, timed(work, view, title), result -> accept(editor, label, document, result));
+  }
+
+  /** Work that says how long it took. */
+  private static Function<Progress, Result> timed(
+      Function<Progress, Solution> work, int view, String title) {
+    return progress -> {
+      long start = System.nanoTime();
+      Solution made = work.apply(progress);
+      Duration time = Duration.ofNanos(System.nanoTime() - start);
+      return Result.of(view, title, made).taking(time);
+    };
   }
 
   /** Sites are shown in the canvas, each result of a polygon in a view of its own. */

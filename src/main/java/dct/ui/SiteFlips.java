@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.problem.Solution;
 import dct.ui.document.Analysis;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
@@ -33,11 +34,7 @@ final class SiteFlips implements FlipSource {
   public Optional<Result> result() {
     Analysis shown = editor.shown();
     boolean current = chosen.getAsBoolean() && shown.document().equals(editor.document());
-    return current
-        ? shown
-            .solution()
-            .map(solution -> new Result(Result.CANVAS, title(shown), solution, shown.scene()))
-        : Optional.empty();
+    return current ? shown.solution().map(solution -> of(shown, solution)) : Optional.empty();
   }
 
   private static String title(Analysis shown) {
@@ -52,5 +49,9 @@ final class SiteFlips implements FlipSource {
     return editor.document().size() > 2 && editor.shown().defects().isEmpty()
         ? "The sites are still being triangulated"
         : "There is nothing to flip yet; draw four sites or more, not all on one line";
+  }
+
+  private static Result of(Analysis shown, Solution solution) {
+    return new Result(Result.CANVAS, title(shown), solution, shown.scene(), Optional.empty());
   }
 }

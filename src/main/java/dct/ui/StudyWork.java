@@ -3,21 +3,20 @@ package dct.ui;
 import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyPicture;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.canvas.Links;
 import dct.ui.command.CommandRegistry;
-import dct.ui.job.Jobs;
 import dct.ui.result.ResultView;
 import dct.ui.study.StudyDialog;
 import dct.ui.study.StudyHost;
 import dct.ui.study.StudyKind;
 import java.awt.Component;
-import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JFrame;
 
 /**
@@ -26,20 +25,22 @@ import javax.swing.JFrame;
 final class StudyWork implements StudyHost {
   private final JFrame owner;
   private final CanvasPanel canvas;
-  private final Jobs jobs;
+  private final Links links;
+  private final Consumer<List<ResultView>> opener;
   private final Map<StudyKind, StudyDialog> dialogs = new EnumMap<>(StudyKind.class);
-  private final List<JFrame> frames = new ArrayList<>();
 
   /**
    * Studies of a window.
    *
    * @param canvas the one whose labels the pictures show
-   * @param jobs write pictures that are exported
+   * @param links between views of the same points
+   * @param opener shows views that belong together
    */
-  StudyWork(JFrame owner, CanvasPanel canvas, Jobs jobs) {
+  StudyWork(JFrame owner, CanvasPanel canvas, Links links, Consumer<List<ResultView>> opener) {
     this.owner = owner;
     this.canvas = canvas;
-    this.jobs = jobs;
+    this.links = links;
+    this.opener = opener;
   }
 
   /** Offers a command for each study. */
@@ -57,16 +58,11 @@ final class StudyWork implements StudyHost {
 
   @Override
   public void show(Component over, String name, List<StudyPicture> pictures) {
-    Window beside = owner;
-    for (StudyPicture picture : pictures) {
-      ResultView view = new ResultView(picture.method(), name, picture.scene(), canvas.labels());
-      ResultCommands.offer(view, jobs);
-      ResultFrame frame = new ResultFrame(view);
-      Placement.beside(frame, beside, owner, frames.size());
-      frames.add(frame);
-      frame.setVisible(true);
-      beside = frame;
-    }
+    opener.accept(pictures.stream().map(picture -> view(picture, name)).toList());
+  }
+
+  private ResultView view(StudyPicture picture, String name) {
+    return new ResultView(picture.method(), name, picture.scene(), canvas.labels(), links);
   }
 
   @Override
@@ -93,9 +89,8 @@ final class StudyWork implements StudyHost {
     new Failures(over, defect -> {}).show(what, cause);
   }
 
-  /** Ends all studies and closes their windows. */
+  /** Ends all studies and closes their dialogs. */
   void dispose() {
     dialogs.values().forEach(StudyDialog::dispose);
-    frames.forEach(JFrame::dispose);
   }
 }

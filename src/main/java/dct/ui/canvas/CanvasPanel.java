@@ -197,6 +197,23 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     }
   }
 
+  /** Whether no part of the scene is out of sight. */
+  public boolean isAllInSight() {
+    return isAllInSight(getSize());
+  }
+
+  /** Whether none would be if the canvas had this size. */
+  boolean isAllInSight(Dimension size) {
+    Box canvas = new Box(0, 0, size.width, size.height);
+    return scene
+        .bounds()
+        .filter(
+            box ->
+                !canvas.holds(viewport.screenX(box.minX()), viewport.screenY(box.minY()))
+                    || !canvas.holds(viewport.screenX(box.maxX()), viewport.screenY(box.maxY())))
+        .isEmpty();
+  }
+
   @Override
   public void pan(double dx, double dy) {
     setViewport(viewport.panned(dx, dy));

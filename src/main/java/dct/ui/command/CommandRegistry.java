@@ -82,9 +82,18 @@ public final class CommandRegistry {
 
   /** Lets the keys do what they are for, wherever in the window the focus is. */
   public void bindKeys(JComponent root) {
+    bindKeys(root, JComponent.WHEN_IN_FOCUSED_WINDOW);
+  }
+
+  /** Lets the keys do what they are for while the focus is within this part of a window. */
+  public void bindKeysWithin(JComponent part) {
+    bindKeys(part, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+  }
+
+  private void bindKeys(JComponent root, int condition) {
     for (Command command : commands.values()) {
       for (KeyStroke key : command.keys()) {
-        root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(key, command.id());
+        root.getInputMap(condition).put(key, command.id());
         root.getActionMap().put(command.id(), command);
       }
     }

@@ -220,9 +220,12 @@ public final class Analysis {
    * polygon, its live triangulation, if there is one.
    */
   public Optional<Solution> solution() {
-    return shownResult()
-        .map(Result::solution)
-        .or(() -> automatic.map(delaunay -> wishing(delaunay, document)));
+    return shownResult().map(Result::solution).or(this::delaunay);
+  }
+
+  /** The Delaunay triangulation of sites, whatever else was made of them. */
+  public Optional<Solution> delaunay() {
+    return automatic.map(delaunay -> wishing(delaunay, document));
   }
 
   private static Solution wishing(Solution solution, Document document) {

@@ -86,16 +86,23 @@ public final class History {
    */
   public Map<Integer, Result> results() {
     Map<Integer, Result> latest = new TreeMap<>();
-    start.result().ifPresent(result -> latest.put(result.view(), result));
+    made().forEach(result -> latest.put(result.view(), result));
+    present.result().ifPresent(result -> latest.put(result.view(), result));
+    return latest;
+  }
+
+  /** All results that steps have made, from the oldest on; also of points that have changed. */
+  public List<Result> made() {
+    List<Result> all = new ArrayList<>();
+    start.result().ifPresent(all::add);
     List<Step> steps = new ArrayList<>(done);
     Collections.reverse(steps);
     for (Step step : steps) {
       if (step.edit instanceof Edit.Made made) {
-        made.after().ifPresent(result -> latest.put(result.view(), result));
+        made.after().ifPresent(all::add);
       }
     }
-    present.result().ifPresent(result -> latest.put(result.view(), result));
-    return latest;
+    return all;
   }
 
   /** The step that made the present result, if it was made here and is as it was made. */

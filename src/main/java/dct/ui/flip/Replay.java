@@ -120,7 +120,7 @@ final class Replay {
     player.goTo(at);
     Solution solution = of.solution().withFlips(player.result());
     Scene scene = Scene.of(solution).withWishes(solution.instance().wishes()).prepared();
-    return new Result(of.view(), of.title(), solution, scene);
+    return new Result(of.view(), of.title(), solution, scene, Optional.empty());
   }
 
   private void end(Result made, int at) {

@@ -3,6 +3,7 @@ package dct.ui.result;
 import dct.render.Labels;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.canvas.Links;
 import dct.ui.command.CommandRegistry;
 import dct.ui.document.Result;
 import java.awt.BorderLayout;
@@ -26,6 +27,7 @@ public final class ResultView extends JPanel {
   private final CanvasPanel canvas = new CanvasPanel();
   private final transient CommandRegistry commands = new CommandRegistry();
   private final transient List<Runnable> listeners = new ArrayList<>();
+  private final transient Links links;
   private transient Runnable whenClosed = () -> {};
   private final String name; // of what the result is of
   private String method;
@@ -37,17 +39,20 @@ public final class ResultView extends JPanel {
    * @param method what was done
    * @param name what it was done to
    * @param labels what is written beside the vertices at first
+   * @param links with other views of the same points
    */
-  public ResultView(String method, String name, Scene scene, Labels labels) {
+  public ResultView(String method, String name, Scene scene, Labels labels, Links links) {
     super(new BorderLayout());
+    this.links = links;
     this.method = method;
     this.name = name;
     setName("view");
     canvas.setPreferredSize(CANVAS);
     canvas.setLabels(labels);
-    canvas.addComponentListener(new FitAtFirst());
+    canvas.addComponentListener(new Sizes());
     add(canvas, BorderLayout.CENTER);
     show(scene);
+    links.add(canvas);
   }
 
   /**
@@ -55,9 +60,10 @@ public final class ResultView extends JPanel {
    *
    * @param name of what the result is of
    * @param labels what is written beside the vertices at first
+   * @param links with other views of the same points
    */
-  public ResultView(Result result, String name, Labels labels) {
-    this(result.title(), name, result.scene(), labels);
+  public ResultView(Result result, String name, Labels labels, Links links) {
+    this(result.title(), name, result.scene(), labels, links);
     this.result = Optional.of(result);
   }
 
@@ -91,13 +97,19 @@ public final class ResultView extends JPanel {
     add(component, BorderLayout.SOUTH);
   }
 
+  /** Lets the keys of its commands work while the focus is within the view. */
+  void bindKeys() {
+    commands.bindKeysWithin(this);
+  }
+
   /** Says who takes the view away when it is closed. */
   public void whenClosed(Runnable action) {
     whenClosed = action;
   }
 
-  /** Closes the view. */
+  /** Closes the view for good. */
   public void close() {
+    links.remove(canvas);
     whenClosed.run();
   }
 
@@ -131,22 +143,11 @@ public final class ResultView extends JPanel {
     return canvas;
   }
 
-  /** Fits the scene whenever the size changes, until the user has chosen a part. */
-  private final class FitAtFirst extends ComponentAdapter {
-    private boolean fitting;
-    private boolean chosen;
-
-    FitAtFirst() {
-      canvas.addViewListener(() -> chosen |= !fitting);
-    }
-
+  /** Shows a part that fits in with other views whenever the size changes. */
+  private final class Sizes extends ComponentAdapter {
     @Override
     public void componentResized(ComponentEvent e) {
-      if (!chosen) {
-        fitting = true;
-        canvas.fit();
-        fitting = false;
-      }
+      links.resized(canvas);
     }
   }
 }

@@ -1,0 +1,148 @@
+package dct.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.result.ResultView;
+import java.awt.Component;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+
+/** Results in frames and in the window, linked, compared and listed. */
+class ViewsWindowTest extends WindowTest {
+  private static final double[] DRAWN = {
+    100, 100, 300, 60, 500, 120, 560, 300, 800, 200, 900, 400, 850, 600, 600, 650, 450, 500, 200,
+    620, 80, 400
+  };
+
+  @Test
+  void framesBesideEachOtherShowTheSamePart() {
+    draw();
+    ResultFrame old = pushForResult("Monotone Polygon Triangulation");
+    ResultFrame flipped = pushForResult("Perform Flip");
+    assertThat(old.getBounds().intersects(flipped.getBounds())).isFalse();
+    perform("Link Views"); // off
+    perform("Link Views"); // and on again
+    zoomIn(old.canvas());
+    await(
+        "the other follows", () -> Math.abs(scale(old.canvas()) - scale(flipped.canvas())) < 1e-9);
+    double middle = onEventThread(() -> middleX(old.canvas()));
+    assertThat(onEventThread(() -> middleX(flipped.canvas()))).isCloseTo(middle, within(1e-6));
+  }
+
+  @Test
+  void viewsThatAreNotLinkedStayWhereTheyAre() {
+    draw();
+    ResultFrame old = pushForResult("Monotone Polygon Triangulation");
+    ResultFrame flipped = pushForResult("Perform Flip");
+    perform("Link Views");
+    double before = scale(flipped.canvas());
+    zoomIn(old.canvas());
+    assertThat(scale(flipped.canvas())).isEqualTo(before);
+    assertThat(scale(old.canvas())).isGreaterThan(before);
+  }
+
+  @Test
+  void resultsMoveIntoTheWindowAndUndoTakesThemAway() {
+    draw();
+    pushForResult("Monotone Polygon Triangulation");
+    perform("Results in This Window");
+    assertThat(results()).isEmpty();
+    await("the view", () -> views().size() == 1);
+    perform("Perform Flip");
+    await("both views", () -> views().size() == 2);
+    perform("Undo");
+    await("one is gone", () -> views().size() == 1);
+    perform("Results in This Window");
+    await("the frame", () -> results().size() == 1);
+    assertThat(views()).isEmpty();
+  }
+
+  @Test
+  void theTableListsAllResultsOfThePoints() {
+    draw();
+    pushForResult("Monotone Polygon Triangulation");
+    pushForResult("Perform Flip");
+    pushForResult("Convex Polygon Odd Triangulation");
+    perform("Table of Results");
+    JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+    assertThat(onEventThread(table::getRowCount)).isEqualTo(3);
+    List<String> words =
+        onEventThread(
+            () ->
+                IntStream.range(0, 3)
+                    .mapToObj(row -> String.valueOf(table.getValueAt(row, 0)))
+                    .toList());
+    assertThat(words).anyMatch(word -> word.startsWith("Perform Flip after Monotone"));
+    perform("Undo");
+    await("one less", () -> onEventThread(table::getRowCount) == 2);
+  }
+
+  @Test
+  void compareShowsOnlyWhatDiffers() {
+    draw();
+    ResultFrame monotone = pushForResult("Monotone Polygon Triangulation");
+    pushForResult("Convex Polygon Odd Triangulation");
+    onEventThread(
+        () -> {
+          javax.swing.SwingUtilities.invokeLater(
+              () -> window.commands().get("Compare Results…").perform());
+          return null;
+        });
+    answer(dialog(), "Compare");
+    await("the comparison", () -> results().size() == 3);
+    ResultFrame comparison =
+        results().stream()
+            .map(ResultFrame.class::cast)
+            .filter(frame -> frame.getTitle().startsWith("Comparison"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(String.join(" ", comparison.canvas().scene().counts())).contains("differ");
+    assertThat(comparison.canvas().scene().edgeCount())
+        .isNotEqualTo(monotone.canvas().scene().edgeCount());
+  }
+
+  private void draw() {
+    choose("Polygon Based");
+    check("Draw Vertex");
+    clickAt(DRAWN);
+  }
+
+  private void zoomIn(CanvasPanel canvas) {
+    onEventThread(
+        () -> {
+          canvas.zoom(2, 100, 80);
+          return null;
+        });
+    settle();
+  }
+
+  private static double scale(CanvasPanel canvas) {
+    return onEventThread(() -> canvas.viewport().scale());
+  }
+
+  private static double middleX(CanvasPanel canvas) {
+    return canvas.viewport().modelX(canvas.getWidth() / 2.0);
+  }
+
+  /** The views within the main window. */
+  private List<Component> views() {
+    return onEventThread(
+        () ->
+            robot.finder().findAll(window, c -> c instanceof ResultView && c.isShowing()).stream()
+                .map(Component.class::cast)
+                .toList());
+  }
+
+  private void perform(String command) {
+    onEventThread(
+        () -> {
+          window.commands().get(command).perform();
+          return null;
+        });
+    settle();
+  }
+}
