@@ -24,6 +24,7 @@ import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import dct.ui.session.Settings;
 import dct.ui.tool.Key;
+import dct.ui.tool.Snap;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
 import java.awt.BorderLayout;
@@ -111,6 +112,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void offerCommands(WindowHost host) {
     ModeCommands.offer(commands, workbench);
     EditCommands.offer(commands, workbench);
+    SelectionCommands.offer(commands, workbench);
+    SnapCommands.offer(commands, this, workbench.snap());
     crossings.offer(commands);
     FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);
     CallCopy calls = new CallCopy(this, workbench);
@@ -234,6 +237,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
     }
     boolean empty = editor == null || editor.visible().size() == 0;
     invitation.show(workbench.domain(), empty);
+    canvas.setGrid(workbench.snap().isOn(Snap.To.GRID) ? workbench.snap().grid() : 0);
+    status.setSnap(workbench.snap().words());
     canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));
     commands.refresh();
     east.refresh();

@@ -21,6 +21,7 @@ final class StatusBar extends JPanel {
   private static final int PATIENCE_MILLIS = 150;
 
   private final JLabel message = new JLabel(" ");
+  private final JLabel snap = new JLabel();
   private final JLabel zoom = new JLabel();
   private final JLabel work = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, 1000);
@@ -52,6 +53,8 @@ final class StatusBar extends JPanel {
     running.add(stop);
     JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
     right.add(running);
+    snap.setName("snap");
+    right.add(snap);
     right.add(zoom);
     add(message, BorderLayout.CENTER);
     add(right, BorderLayout.EAST);
@@ -85,6 +88,11 @@ final class StatusBar extends JPanel {
   void say(String text) {
     state = latest;
     show(text);
+  }
+
+  /** Shows what places snap to. */
+  void setSnap(String words) {
+    snap.setText(words);
   }
 
   /** Shows the scale of the canvas. */

@@ -9,12 +9,14 @@ import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import dct.ui.document.Selection;
 import dct.ui.flip.FlipDesk;
 import dct.ui.job.Jobs;
 import dct.ui.tool.DeleteTool;
 import dct.ui.tool.DrawTool;
 import dct.ui.tool.EditTool;
 import dct.ui.tool.FlipTool;
+import dct.ui.tool.Snap;
 import dct.ui.tool.SplitTool;
 import dct.ui.tool.Tool;
 import dct.ui.tool.ToolContext;
@@ -35,6 +37,7 @@ import java.util.stream.Stream;
 public final class Workbench implements ToolContext {
   private final Jobs jobs = new Jobs();
   private final Map<Domain, Editor> editors = new EnumMap<>(Domain.class);
+  private final Snap snap = new Snap(this::changed);
   private final Tool draw = new DrawTool();
   private final Tool edit = new EditTool();
   private final Tool wish = new WishTool();
@@ -130,6 +133,9 @@ public final class Workbench implements ToolContext {
   public void choose(Tool chosen) {
     leaveTool();
     tool = chosen;
+    if (chosen == draw) {
+      active().ifPresent(editor -> editor.select(Selection.NONE));
+    }
     editors.values().forEach(editor -> editor.setGrowing(chosen == draw));
   }
 
@@ -208,6 +214,21 @@ public final class Workbench implements ToolContext {
   @Override
   public void endPreview() {
     present().endPreview();
+  }
+
+  @Override
+  public Selection selection() {
+    return present().selection();
+  }
+
+  @Override
+  public void select(Selection others) {
+    present().select(others);
+  }
+
+  @Override
+  public Snap snap() {
+    return snap;
   }
 
   @Override

@@ -46,6 +46,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private String corner = "";
   private transient Notes notes = Notes.at(false);
   private transient View noted; // the picture that the notes were placed in; null before the first
+  private double grid; // its size, or 0
 
   /** An empty canvas in actual size. */
   public CanvasPanel() {
@@ -133,6 +134,14 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** The marks that are drawn over the scene. */
   public List<Mark> marks() {
     return marks;
+  }
+
+  /** Draws a soft grid of this size, in units of the model; none if it is 0. */
+  public void setGrid(double size) {
+    if (size != grid) {
+      grid = size;
+      repaint();
+    }
   }
 
   /** Writes the mouse's coordinates in the upper left corner. */
@@ -238,6 +247,9 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     if (!view.equals(noted) && scene.isAtHand()) {
       notes = notes.placed(scene, viewport, screen);
       noted = view;
+    }
+    if (grid > 0) {
+      GridLines.paint(graphics, grid, viewport, getSize(), theme());
     }
     GraphicsPen pen = new GraphicsPen(graphics, theme());
     MarkPainter.paint(marks, scene, viewport, screen, pen);

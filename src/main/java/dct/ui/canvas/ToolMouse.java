@@ -1,5 +1,6 @@
 package dct.ui.canvas;
 
+import dct.core.geometry.Points;
 import dct.render.Pen;
 import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
@@ -60,8 +61,22 @@ public final class ToolMouse extends MouseAdapter {
   }
 
   private void paint(Pen pen) {
-    tool.get().ifPresent(t -> t.paint(context, pen));
+    tool.get()
+        .ifPresent(
+            t -> {
+              paintSelection(pen);
+              t.paint(context, pen);
+            });
     keys.paint(pen);
+  }
+
+  private void paintSelection(Pen pen) {
+    Points shown = context.shown().document().points();
+    Points own = context.document().points();
+    // While a large document is being analysed, what is shown is an older one.
+    Points points = shown.size() == own.size() ? shown : own;
+    SelectionMarks.paint(
+        pen, context.selection(), points, canvas.viewport(), canvas.getWidth(), canvas.getHeight());
   }
 
   private boolean keyPressed(Key key) {

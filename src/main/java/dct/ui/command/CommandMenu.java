@@ -16,7 +16,7 @@ public final class CommandMenu extends JMenu {
   /**
    * What a menu holds, from top to bottom.
    *
-   * @param title its title; Alt and its first letter open it
+   * @param title its title; Alt and a letter of it open it
    * @param items names of commands or of menus, and lines
    */
   public record Plan(String title, List<String> items) {
@@ -29,7 +29,6 @@ public final class CommandMenu extends JMenu {
   private CommandMenu(Plan plan, CommandRegistry registry) {
     super(plan.title());
     setName(plan.title());
-    setMnemonic(plan.title().charAt(0));
     for (String name : plan.items()) {
       if (name.equals(LINE)) {
         addSeparator();
@@ -58,7 +57,9 @@ public final class CommandMenu extends JMenu {
    */
   public static JMenuBar bar(List<Plan> plans, CommandRegistry registry) {
     JMenuBar bar = new JMenuBar();
-    plans.forEach(plan -> bar.add(new CommandMenu(plan, registry)));
+    List<CommandMenu> menus = plans.stream().map(plan -> new CommandMenu(plan, registry)).toList();
+    Mnemonics.give(menus);
+    menus.forEach(bar::add);
     return bar;
   }
 }

@@ -21,14 +21,21 @@ final class Mnemonics {
 
   private Mnemonics() {}
 
-  /** Gives each item a letter. */
+  /** Gives each item of a menu a letter. */
   static void give(JMenu menu) {
-    Mnemonics letters = new Mnemonics();
+    List<JMenuItem> items = new ArrayList<>();
     for (Component item : menu.getMenuComponents()) {
       if (item instanceof JMenuItem button) {
-        letters.place(button, new HashSet<>());
+        items.add(button);
       }
     }
+    give(items);
+  }
+
+  /** Gives each of these items, which may be menus, a letter. */
+  static void give(List<? extends JMenuItem> items) {
+    Mnemonics letters = new Mnemonics();
+    items.forEach(item -> letters.place(item, new HashSet<>()));
     letters.taken.forEach((letter, item) -> item.setMnemonic(letter));
   }
 

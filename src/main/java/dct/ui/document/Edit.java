@@ -9,7 +9,16 @@ import java.util.Optional;
  * A named change of a document that can be taken back: {@code revert(apply(d))} equals d. A change
  * of the points drops the result, which {@link History} brings back.
  */
-public sealed interface Edit {
+public sealed interface Edit
+    permits Edit.Insert,
+        Edit.Delete,
+        Edit.Move,
+        Edit.Wished,
+        Edit.Replace,
+        Edit.Made,
+        BulkEdit.Move,
+        BulkEdit.Insert,
+        BulkEdit.Delete {
 
   /** What the menus call it, behind "Undo" or "Redo". */
   String label();

@@ -35,6 +35,8 @@ public final class Editor {
   private Optional<LiveMethod> method = Optional.empty(); // of the live triangulation
   private final LivePace pace = new LivePace();
   private Optional<Jobs.Handle> analysis = Optional.empty(); // queued last
+  private Selection selection = Selection.NONE;
+  private Points selected = Points.ofPairs(); // the points that the selection is of
   private int changes; // of the document; analyses from before the last one are not shown
 
   /** An editor of an empty document. */
@@ -72,6 +74,19 @@ public final class Editor {
   /** The latest analysis; of an older state while a newer one is computed. */
   public Analysis shown() {
     return shown;
+  }
+
+  /** The vertices that are selected; they follow the changes of the document. */
+  public Selection selection() {
+    return selection;
+  }
+
+  /** Selects other vertices. */
+  public void select(Selection others) {
+    if (!others.equals(selection)) {
+      selection = others;
+      changed();
+    }
   }
 
   /** What the title calls the document. */
@@ -212,7 +227,14 @@ public final class Editor {
     return same;
   }
 
+  private void followPoints() {
+    Points now = document().points();
+    selection = selection.following(selected, now);
+    selected = now;
+  }
+
   private void analyse() {
+    followPoints();
     changes++;
     analysis.ifPresent(Jobs.Handle::cancel);
     analyseVisible();

@@ -1,6 +1,7 @@
 package dct.ui.tool;
 
 import dct.core.geometry.Points;
+import dct.core.geometry.SegmentPoints.Place;
 import dct.core.triangulate.Domain;
 import dct.render.Ink;
 import dct.render.Pen;
@@ -10,6 +11,7 @@ import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import java.awt.Cursor;
 import java.awt.event.KeyEvent;
+import java.util.Optional;
 
 /**
  * Draw Vertex: a click appends a vertex. A click on v0, a double click or Enter ends the drawing,
@@ -44,15 +46,16 @@ public final class DrawTool implements Tool {
   @Override
   public String hint(ToolContext context) {
     int n = context.document().size();
+    String where = hover == null ? "" : target(context, hover).words();
     if (context.document().domain() == Domain.SITES) {
-      return "Click to add site v" + n + "; Enter ends";
+      return "Click to add site v" + n + where + "; Enter ends";
     }
     if (hover != null && closes(context, hover)) {
       return "Click v0 to end the drawing";
     }
     return n < 3
-        ? "Click to add vertex v" + n
-        : "Click to add vertex v" + n + "; click v0, double-click or press Enter to end";
+        ? "Click to add vertex v" + n + where
+        : "Click to add vertex v" + n + where + "; click v0, double-click or press Enter to end";
   }
 
   @Override
@@ -73,7 +76,8 @@ public final class DrawTool implements Tool {
     } else if (closes(context, spot)) {
       end(context);
     } else {
-      draw(context, spot.x(), spot.y());
+      Target target = target(context, spot);
+      draw(context, target.x(), target.y());
     }
   }
 
@@ -92,6 +96,15 @@ public final class DrawTool implements Tool {
     } else {
       context.perform(Edit.draw(document, x, y));
     }
+  }
+
+  /** Where a click adds a vertex. */
+  private static Target target(ToolContext context, Spot spot) {
+    Points points = context.document().points();
+    int last = points.size() - 1;
+    Optional<Place> origin =
+        last < 0 ? Optional.empty() : Optional.of(new Place(points.x(last), points.y(last)));
+    return Snapping.of(context, spot, origin, v -> false);
   }
 
   /** Whether this place is that of the first vertex of a polygon. */
@@ -141,24 +154,30 @@ public final class DrawTool implements Tool {
   /** Shows the edges that the next click would make; the closing one is dashed. */
   @Override
   public void paint(ToolContext context, Pen pen) {
+    if (hover == null) {
+      return;
+    }
     Points points = context.document().points();
-    if (hover == null || context.document().domain() == Domain.SITES || points.size() == 0) {
-      return;
-    }
+    Viewport view = context.viewport();
     if (closes(context, hover)) {
-      Pick.mark(pen, context.viewport(), points.x(0), points.y(0));
+      Pick.mark(pen, view, points.x(0), points.y(0));
       return;
     }
-    pen.style(Stroke.solid(Ink.PROPOSED, 1.4));
-    edgeFrom(context.viewport(), points, points.size() - 1, pen);
-    if (points.size() > 1) {
+    Target target = target(context, hover);
+    if (context.document().domain() == Domain.POLYGON && points.size() > 0) {
+      pen.style(Stroke.solid(Ink.PROPOSED, 1.4));
+      edge(view, points, points.size() - 1, target, pen);
       pen.style(Stroke.dashed(Ink.PROPOSED, 1.4));
-      edgeFrom(context.viewport(), points, 0, pen);
+      edge(view, points, 0, target, pen);
     }
+    target.mark(pen, view);
   }
 
-  private void edgeFrom(Viewport view, Points points, int v, Pen pen) {
+  private static void edge(Viewport view, Points points, int v, Target target, Pen pen) {
     pen.line(
-        view.screenX(points.x(v)), view.screenY(points.y(v)), hover.screenX(), hover.screenY());
+        view.screenX(points.x(v)),
+        view.screenY(points.y(v)),
+        view.screenX(target.x()),
+        view.screenY(target.y()));
   }
 }

@@ -44,6 +44,11 @@ record EdgePoint(int from, int to, double x, double y, boolean exact) {
         .orElse(new EdgePoint(from, to, x, y, false));
   }
 
+  /** How far it is from a spot, in pixels. */
+  double distance(Viewport view, Spot spot) {
+    return Math.hypot(view.screenX(x) - spot.screenX(), view.screenY(y) - spot.screenY());
+  }
+
   private static boolean isBetween(double a, double value, double b) {
     return (a < value && value < b) || (b < value && value < a);
   }

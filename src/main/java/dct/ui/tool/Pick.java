@@ -8,6 +8,7 @@ import dct.render.Stroke;
 import dct.render.Viewport;
 import dct.ui.document.Analysis;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 
 /** Finds what lies under the mouse, in linear time. */
 final class Pick {
@@ -21,6 +22,11 @@ final class Pick {
 
   /** The vertex nearest to the spot, if it is within reach; −1 if none is. */
   static int vertex(Points points, Viewport view, Spot spot) {
+    return vertex(points, view, spot, v -> true);
+  }
+
+  /** The same among the vertices that may be taken. */
+  static int vertex(Points points, Viewport view, Spot spot, IntPredicate allowed) {
     int nearest = -1;
     double least = REACH * REACH;
     for (int v = 0; v < points.size(); v++) {
@@ -28,7 +34,7 @@ final class Pick {
       double dy = view.screenY(points.y(v)) - spot.screenY();
       double square = dx * dx + dy * dy;
       // Of several at one distance the last wins: it is drawn on top.
-      if (square <= least) {
+      if (square <= least && allowed.test(v)) {
         least = square;
         nearest = v;
       }
@@ -44,7 +50,12 @@ final class Pick {
 
   /** The point nearest to the spot on any edge shown; nothing if there are no edges. */
   static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot) {
-    Search search = new Search(shown.document().points(), view, spot);
+    return edge(shown, view, spot, v -> true);
+  }
+
+  /** The same on an edge both of whose ends may be taken. */
+  static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot, IntPredicate allowed) {
+    Search search = new Search(shown.document().points(), view, spot, allowed);
     shown.scene().visitNear(view, spot.screenX(), spot.screenY(), search);
     return search.found();
   }
@@ -60,19 +71,25 @@ final class Pick {
     private final Points points;
     private final Viewport view;
     private final Spot spot;
+    private final IntPredicate allowed;
     private double least = Double.POSITIVE_INFINITY;
     private int from = -1;
     private int to;
     private double t; // where on the edge
 
-    Search(Points points, Viewport view, Spot spot) {
+    Search(Points points, Viewport view, Spot spot, IntPredicate allowed) {
       this.points = points;
       this.view = view;
       this.spot = spot;
+      this.allowed = allowed;
     }
 
     @Override
     public double visit(int a, int b) {
+      return allowed.test(a) && allowed.test(b) ? measure(a, b) : least + TIE;
+    }
+
+    private double measure(int a, int b) {
       double ax = view.screenX(points.x(a));
       double ay = view.screenY(points.y(a));
       double dx = view.screenX(points.x(b)) - ax;

@@ -5,6 +5,7 @@ import dct.render.Viewport;
 import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
+import dct.ui.document.Selection;
 
 /** All that a tool may know and do. */
 public interface ToolContext {
@@ -26,6 +27,19 @@ public interface ToolContext {
 
   /** Goes back to the document's points. */
   void endPreview();
+
+  /** The vertices that are selected; none where nothing can be. */
+  default Selection selection() {
+    return Selection.NONE;
+  }
+
+  /** Selects other vertices, where that can be done. */
+  default void select(Selection others) {}
+
+  /** What places snap to; nothing unless the user has set it. */
+  default Snap snap() {
+    return new Snap(() -> {});
+  }
 
   /** Chooses Edit Vertex. */
   void chooseEdit();

@@ -6,7 +6,7 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.util.function.Supplier;
 
 /** Text on the clipboard that is written only when it is pasted. */
-record RowsText(Supplier<String> text) implements Transferable {
+public record RowsText(Supplier<String> text) implements Transferable {
 
   @Override
   public DataFlavor[] getTransferDataFlavors() {

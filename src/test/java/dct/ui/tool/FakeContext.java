@@ -8,6 +8,7 @@ import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.History;
+import dct.ui.document.Selection;
 
 /** A document without a window. */
 final class FakeContext implements ToolContext {
@@ -15,6 +16,8 @@ final class FakeContext implements ToolContext {
   Viewport viewport = Viewport.IDENTITY;
   Points preview;
   String said = "";
+  Selection selection = Selection.NONE;
+  final Snap snap = new Snap(() -> {});
   boolean editing; // Edit Vertex was chosen
 
   FakeContext(Domain domain, double... pairs) {
@@ -59,6 +62,21 @@ final class FakeContext implements ToolContext {
   @Override
   public void endPreview() {
     preview = null;
+  }
+
+  @Override
+  public Selection selection() {
+    return selection;
+  }
+
+  @Override
+  public void select(Selection others) {
+    selection = others;
+  }
+
+  @Override
+  public Snap snap() {
+    return snap;
   }
 
   @Override

@@ -1,0 +1,135 @@
+package dct.ui.tool;
+
+import dct.core.geometry.Points;
+import dct.core.geometry.SegmentPoints.Place;
+import dct.render.Viewport;
+import dct.ui.document.Analysis;
+import java.math.BigDecimal;
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.IntPredicate;
+
+/**
+ * Finds what a place snaps to. Directions come first, if Shift is down or angles are on: with Shift
+ * they are multiples of 90°, and their coordinates in turn snap to those of vertices and of the
+ * grid. Then a vertex within reach, an edge within reach, and the grid.
+ *
+ * <p>What is snapped to is met exactly: a vertex has its own coordinates, the grid multiples of its
+ * size as decimal numbers, an edge those of {@link EdgePoint}, and a level or upright direction one
+ * coordinate of where it begins.
+ */
+final class Snapping {
+  private static final double RIGHT_ANGLE = 90;
+  private static final double ALIGNED = 5; // how far from a vertex' coordinate, in pixels
+  private static final int FINE = 3; // decimals of a slanting direction beyond those of pixels
+
+  private final ToolContext context;
+  private final Snap snap;
+  private final Viewport view;
+  private final Spot spot;
+  private final IntPredicate moving;
+
+  private Snapping(ToolContext context, Spot spot, IntPredicate moving) {
+    this.context = context;
+    this.snap = context.snap();
+    this.view = context.viewport();
+    this.spot = spot;
+    this.moving = moving;
+  }
+
+  /**
+   * Where a vertex goes.
+   *
+   * @param origin where directions begin, if anywhere
+   * @param moving the vertices that are on their way themselves
+   */
+  static Target of(ToolContext context, Spot spot, Optional<Place> origin, IntPredicate moving) {
+    Snapping snapping = new Snapping(context, spot, moving);
+    boolean directed = spot.shift() || context.snap().isOn(Snap.To.ANGLES);
+    return directed && origin.isPresent()
+        ? snapping.inDirectionFrom(origin.get())
+        : snapping.vertex().or(snapping::edge).or(snapping::gridPoint).orElse(snapping.free());
+  }
+
+  private Target free() {
+    return new Target(spot.x(), spot.y(), "");
+  }
+
+  private Optional<Target> vertex() {
+    if (!snap.isOn(Snap.To.VERTICES)) {
+      return Optional.empty();
+    }
+    Points points = context.document().points();
+    int v = Pick.vertex(points, view, spot, moving.negate());
+    return v < 0 ? Optional.empty() : Optional.of(new Target(points.x(v), points.y(v), "on v" + v));
+  }
+
+  private Optional<Target> edge() {
+    Analysis shown = context.shown();
+    // While a large document is being analysed, the edges shown are those of an older one.
+    if (!snap.isOn(Snap.To.EDGES) || shown.document().size() != context.document().size()) {
+      return Optional.empty();
+    }
+    return Pick.edge(shown, view, spot, moving.negate())
+        .filter(edge -> edge.distance(view, spot) <= Pick.REACH)
+        .map(edge -> new Target(edge.x(), edge.y(), "on v" + edge.from() + "–v" + edge.to()));
+  }
+
+  private Optional<Target> gridPoint() {
+    return snap.isOn(Snap.To.GRID)
+        ? Optional.of(new Target(onGrid(spot.x()), onGrid(spot.y()), "on the grid"))
+        : Optional.empty();
+  }
+
+  /** The nearest multiple of the grid's size, as a decimal number; the value if it has none. */
+  private double onGrid(double value) {
+    double multiple = Math.rint(value / snap.grid());
+    if (!Double.isFinite(multiple)) {
+      return value;
+    }
+    return new BigDecimal(multiple).multiply(BigDecimal.valueOf(snap.grid())).doubleValue();
+  }
+
+  private Target inDirectionFrom(Place origin) {
+    double step = spot.shift() ? RIGHT_ANGLE : snap.angle();
+    double dx = spot.x() - origin.x();
+    double dy = spot.y() - origin.y();
+    double degrees = Math.rint(Math.toDegrees(Math.atan2(dy, dx)) / step) * step;
+    String hit = "in a direction of " + dct.core.Decimals.format(Math.abs(degrees)) + "°";
+    if (Math.abs(degrees) % 180 == 0) {
+      return new Target(along(spot.x(), Points::x, view::screenX), origin.y(), hit);
+    }
+    if (Math.abs(degrees) == RIGHT_ANGLE) {
+      return new Target(origin.x(), along(spot.y(), Points::y, view::screenY), hit);
+    }
+    double radians = Math.toRadians(degrees);
+    double length = dx * Math.cos(radians) + dy * Math.sin(radians);
+    int decimals = Spot.decimals(view) + FINE;
+    return new Target(
+        Spot.rounded(origin.x() + length * Math.cos(radians), decimals),
+        Spot.rounded(origin.y() + length * Math.sin(radians), decimals),
+        hit);
+  }
+
+  /** A coordinate of points. */
+  @FunctionalInterface
+  private interface Coordinate {
+    double of(Points points, int v);
+  }
+
+  /** A coordinate along a level or upright direction: that of a vertex, of the grid, or its own. */
+  private double along(double value, Coordinate coordinate, DoubleUnaryOperator screen) {
+    double best = snap.isOn(Snap.To.GRID) ? onGrid(value) : value;
+    double least = ALIGNED;
+    Points points = context.document().points();
+    for (int v = 0; snap.isOn(Snap.To.VERTICES) && v < points.size(); v++) {
+      double own = coordinate.of(points, v);
+      double distance = Math.abs(screen.applyAsDouble(own) - screen.applyAsDouble(value));
+      if (distance < least && !moving.test(v)) {
+        least = distance;
+        best = own;
+      }
+    }
+    return best;
+  }
+}
