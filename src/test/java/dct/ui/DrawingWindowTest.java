@@ -93,7 +93,7 @@ class DrawingWindowTest extends WindowTest {
   @Test
   void aDialogThatTakesTheReleaseOfTheSpaceBarLeavesNothingPressed() {
     begin();
-    robot.focusAndWaitForFocusGain(canvas());
+    takeKeyboard();
     robot.pressKey(KeyEvent.VK_SPACE);
     onEventThread(
         () -> {

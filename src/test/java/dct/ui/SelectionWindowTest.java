@@ -112,7 +112,7 @@ class SelectionWindowTest extends WindowTest {
     Toolkit.getDefaultToolkit()
         .getSystemClipboard()
         .setContents(new StringSelection("no points"), null);
-    robot.focusAndWaitForFocusGain(canvas());
+    takeKeyboard();
     robot.pressKey(KeyEvent.VK_CONTROL);
     robot.pressAndReleaseKeys(KeyEvent.VK_V);
     robot.releaseKey(KeyEvent.VK_CONTROL);

@@ -140,8 +140,7 @@ abstract class WindowTest {
 
   /** Presses a key while others are down, in the main window. */
   void type(int key, int... modifiers) {
-    // After a dialog the focus comes back some time later.
-    robot.focusAndWaitForFocusGain(canvas());
+    takeKeyboard();
     long before = input.keyReleases();
     for (int modifier : modifiers) {
       robot.pressKey(modifier);
@@ -152,6 +151,14 @@ abstract class WindowTest {
     }
     await("the keys", () -> input.keyReleases() > before + modifiers.length);
     settle();
+  }
+
+  /** After a dialog the focus comes back some time later; in memory sometimes only by a click. */
+  void takeKeyboard() {
+    if (!onEventThread(window::isFocused)) {
+      click(() -> robot.click(canvas(), MouseButton.MIDDLE_BUTTON)); // pans by nothing
+    }
+    robot.focusAndWaitForFocusGain(canvas());
   }
 
   /** Types a text in place of what a field holds. */
