@@ -5,6 +5,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.util.Comparator;
 import java.util.List;
+import java.util.NavigableSet;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -65,7 +66,7 @@ public final class Tiling {
         .orElseThrow();
   }
 
-  private static void addPlaces(TreeSet<Integer> places, int from, int length, int size) {
+  private static void addPlaces(NavigableSet<Integer> places, int from, int length, int size) {
     places.add(from);
     places.add(within(from + length - size, from, length, size));
   }
