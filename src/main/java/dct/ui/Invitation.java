@@ -5,8 +5,8 @@ import dct.core.triangulate.Domain;
 import dct.ui.command.CommandRegistry;
 import java.awt.Component;
 import java.awt.FlowLayout;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Box;
@@ -51,7 +51,7 @@ final class Invitation extends JPanel {
   }
 
   private final transient Consumer<String> openSample;
-  private final List<JComponent> cards = new ArrayList<>();
+  private final Map<Card, JComponent> cards = new EnumMap<>(Card.class);
 
   /**
    * An invitation that offers commands and samples.
@@ -64,7 +64,7 @@ final class Invitation extends JPanel {
     setOpaque(false);
     for (Card card : Card.values()) {
       JComponent shown = component(card, commands);
-      cards.add(shown);
+      cards.put(card, shown);
       add(shown);
     }
   }
@@ -72,7 +72,7 @@ final class Invitation extends JPanel {
   /** Invites to what can be done with an empty document, or without one. */
   void show(Optional<Domain> domain, boolean empty) {
     for (Card card : Card.values()) {
-      cards.get(card.ordinal()).setVisible(empty && card == Card.of(domain));
+      cards.get(card).setVisible(empty && card == Card.of(domain));
     }
   }
 

@@ -35,6 +35,7 @@ class ProgramCallTest {
     return new Console(InputStream.nullInputStream(), System.out, System.err);
   }
 
+  @SuppressWarnings("TypeParameterUnusedInFormals") // as picocli has it
   private static <T> T option(ParseResult parsed, String name) {
     return parsed.matchedOptionValue(name, null);
   }

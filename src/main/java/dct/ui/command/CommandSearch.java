@@ -80,8 +80,8 @@ public final class CommandSearch {
 
   private static boolean holdsInOrder(String name, String wanted) {
     int from = 0;
-    for (char c : wanted.toCharArray()) {
-      from = name.indexOf(c, from) + 1;
+    for (int i = 0; i < wanted.length(); i++) {
+      from = name.indexOf(wanted.charAt(i), from) + 1;
       if (from == 0) {
         return false;
       }

@@ -61,6 +61,7 @@ public enum ToolIcon implements Icon {
   private static final Color GREY_ON_DARK = new Color(0x5C6068);
   private static final int HALF = 128; // of the brightness of a ground
 
+  @SuppressWarnings("ImmutableEnumChecker") // the drawings hold nothing that could change
   private final transient Consumer<Brush> drawing;
 
   ToolIcon(Consumer<Brush> drawing) {

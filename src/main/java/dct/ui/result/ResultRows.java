@@ -4,7 +4,6 @@ import dct.ui.document.Result;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import javax.swing.table.AbstractTableModel;
 
 /** The results of an instance as a table. */
@@ -15,7 +14,8 @@ final class ResultRows extends AbstractTableModel {
   private static final int TIME = 6;
 
   private transient List<ResultRow> rows = List.of();
-  private transient Map<Result, ResultRow> known = new IdentityHashMap<>(); // counting takes time
+  private transient IdentityHashMap<Result, ResultRow> known =
+      new IdentityHashMap<>(); // counting takes time
 
   /**
    * Shows these results in place of those there were.
@@ -23,7 +23,7 @@ final class ResultRows extends AbstractTableModel {
    * @return whether anything has changed
    */
   boolean show(List<Result> results) {
-    Map<Result, ResultRow> next = new IdentityHashMap<>();
+    IdentityHashMap<Result, ResultRow> next = new IdentityHashMap<>();
     results.forEach(
         result ->
             next.put(result, known.containsKey(result) ? known.get(result) : ResultRow.of(result)));

@@ -37,6 +37,7 @@ public final class Journal {
       return document == null;
     }
 
+    @SuppressWarnings("ReferenceEquality") // an equal document need not be written again, but may
     boolean isSame(State other) {
       return document == other.document && name.equals(other.name) && origin.equals(other.origin);
     }

@@ -74,7 +74,7 @@ class WholeHistoryTest {
       case 0 -> n < 16 ? Edit.draw(document, place(), place()) : Edit.delete(document, v);
       case 1 -> n > 5 ? Edit.delete(document, v) : Edit.split(v, place(), place());
       case 2 -> Edit.move(document, v, place(), place());
-      case 3 -> Edit.wish(document, v, Wish.values()[random.nextInt(3)]);
+      case 3 -> Edit.wish(document, v, List.of(Wish.values()).get(random.nextInt(3)));
       case 4 -> Edit.result("None", document, Optional.empty());
       default -> made(document).orElseGet(() -> Edit.move(document, v, place(), place()));
     };

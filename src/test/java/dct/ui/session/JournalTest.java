@@ -100,7 +100,7 @@ class JournalTest {
             case 4 -> Edit.wish(document, v, i % 2 == 0 ? Wish.ANY : Wish.ODD);
             default ->
                 Edit.replace(
-                    "Random", document, Points.ofPairs(random.doubles(2L + 2 * v).toArray()));
+                    "Random", document, Points.ofPairs(random.doubles(2 + 2L * v).toArray()));
           });
       assertThat(back()).as("edit " + i).isEqualTo(editor.document());
       if (i % 7 == 6) {
