@@ -4,6 +4,7 @@ import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandMenu;
 import dct.ui.command.CommandMenu.Plan;
 import dct.ui.command.CommandRegistry;
+import dct.ui.icon.ProgramIcon;
 import dct.ui.result.ResultView;
 import java.awt.BorderLayout;
 import java.awt.event.WindowAdapter;
@@ -22,6 +23,7 @@ public final class ResultFrame extends JFrame implements CommandWindow {
     super(view.title());
     this.view = view;
     setName("result");
+    setIconImages(ProgramIcon.images());
     add(view, BorderLayout.CENTER);
     setJMenuBar(CommandMenu.bar(menus(view), view.commands()));
     view.commands().bindKeys(getRootPane());

@@ -127,14 +127,18 @@ public final class PointsStudy implements Study {
     /** Goes on from the first scan. Ends, for each flip makes two vertices even or more. */
     static Repeated of(Solution first, Progress progress) {
       Solution last = first;
-      Solution following = first;
-      int flips = 0;
-      int scans = 0;
-      while (PointsStudy.flips(following) > 0) {
-        last = following;
-        flips += PointsStudy.flips(last);
-        scans++;
-        following = last.flipped(progress);
+      int flips = PointsStudy.flips(first);
+      int scans = flips > 0 ? 1 : 0;
+      boolean isDone = scans == 0;
+      while (!isDone) {
+        Solution following = last.flipped(progress); // tells of the flips before, too
+        int more = PointsStudy.flips(following) - flips;
+        isDone = more == 0;
+        if (!isDone) {
+          last = following;
+          flips += more;
+          scans++;
+        }
       }
       return new Repeated(last, flips, scans);
     }
