@@ -141,7 +141,7 @@ final class EastPanel extends JPanel {
   private void show(Editor editor) {
     Document document = editor.visible();
     coordinates.show(document.points());
-    vertices.show(document, triangulation(editor));
+    vertices.show(document, triangulation(editor), editor.selection());
   }
 
   /** The triangulation that was made last, or that of the sites. */

@@ -9,6 +9,8 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 
 /** Selecting, moving, copying, pasting and removing vertices; snapping by Ipe's keys. */
@@ -82,6 +84,25 @@ class SelectionWindowTest extends WindowTest {
     type(KeyEvent.VK_X, KeyEvent.VK_CONTROL);
     assertThat(points()).isEqualTo(Points.ofPairs(SQUARE));
     assertThat(undoLabel()).isEqualTo("Cut 2 Vertices");
+  }
+
+  @Test
+  void theTableSelectsWithTheCanvas() {
+    draw();
+    JTable table = robot.finder().findByName("vertices", JTable.class, false);
+    band(50, 50, 350, 150);
+    await("the rows", () -> Arrays.equals(onEventThread(table::getSelectedRows), new int[] {0, 1}));
+    onEventThread(
+        () -> {
+          table.setRowSelectionInterval(2, 3);
+          return null;
+        });
+    settle();
+    assertThat(selection()).isEqualTo(Selection.of(2, 3));
+    requireInk(canvas(), Ink.HIGHLIGHT, 300, 300 - 7);
+    type(KeyEvent.VK_DELETE);
+    await("no row", () -> onEventThread(table::getSelectedRowCount) == 0);
+    assertThat(points()).isEqualTo(Points.ofPairs(100, 100, 300, 100));
   }
 
   private String undoLabel() {

@@ -2,6 +2,7 @@ package dct.ui.vertices;
 
 import dct.core.triangulate.Triangulation;
 import dct.ui.document.Document;
+import dct.ui.document.Selection;
 import dct.ui.tool.ToolContext;
 import java.util.Optional;
 import javax.swing.JScrollPane;
@@ -17,6 +18,7 @@ public final class VertexList extends JScrollPane {
   private final VertexTable table;
   private final Timer pause = new Timer(PAUSE_MILLIS, e -> write());
   private transient Document document;
+  private transient Selection selection = Selection.NONE;
   private transient Optional<Triangulation> triangulation = Optional.empty();
 
   /** An empty table; the context performs what is typed. */
@@ -30,11 +32,13 @@ public final class VertexList extends JScrollPane {
    * Shows this document.
    *
    * @param made the triangulation whose degrees are shown, if there is any
+   * @param chosen the vertices that are selected
    */
-  public void show(Document shown, Optional<Triangulation> made) {
+  public void show(Document shown, Optional<Triangulation> made, Selection chosen) {
     boolean other = document == null || shown.domain() != document.domain();
     document = shown;
     triangulation = made;
+    selection = chosen;
     if (other) {
       write();
     } else if (!pause.isRunning()) {
@@ -43,6 +47,6 @@ public final class VertexList extends JScrollPane {
   }
 
   private void write() {
-    table.show(document, triangulation);
+    table.show(document, triangulation, selection);
   }
 }

@@ -6,6 +6,7 @@ import dct.core.triangulate.Triangulation;
 import dct.render.Ink;
 import dct.render.Theme;
 import dct.ui.document.Document;
+import dct.ui.document.Selection;
 import dct.ui.tool.ToolContext;
 import java.awt.Color;
 import java.awt.Component;
@@ -46,6 +47,7 @@ final class VertexTable extends JTable {
   };
 
   private final VertexRows rows;
+  private boolean following; // the canvas, not the user
 
   /** A table of these rows; the context says what is wrong with a text. */
   VertexTable(VertexRows rows, ToolContext context) {
@@ -72,6 +74,13 @@ final class VertexTable extends JTable {
     setDefaultEditor(Wish.class, new DefaultCellEditor(wishes()));
     setTransferHandler(new Copies());
     addKeyListener(new NumberKeys(this));
+    getSelectionModel()
+        .addListSelectionListener(
+            e -> {
+              if (!e.getValueIsAdjusting() && !following) {
+                context.select(Selection.of(getSelectedRows()));
+              }
+            });
     offerWishKeys();
   }
 
@@ -191,8 +200,11 @@ final class VertexTable extends JTable {
     }
   }
 
-  /** Shows another document; what is being typed is given up if its row is gone. */
-  void show(Document document, Optional<Triangulation> made) {
+  /**
+   * Shows another document and what is selected of it; what is being typed is given up if its row
+   * is gone.
+   */
+  void show(Document document, Optional<Triangulation> made, Selection selection) {
     boolean gone =
         isEditing()
             && (document.size() != rows.getRowCount()
@@ -200,6 +212,32 @@ final class VertexTable extends JTable {
     if (gone) {
       removeEditor();
     }
+    following = true;
     rows.show(document, made);
+    follow(selection);
+    following = false;
+  }
+
+  /** Selects the rows of the vertices that are selected, and shows the first of them. */
+  private void follow(Selection selection) {
+    if (Selection.of(getSelectedRows()).equals(selection)) {
+      return;
+    }
+    ListSelectionModel model = getSelectionModel();
+    model.setValueIsAdjusting(true);
+    model.clearSelection();
+    int first = selection.next(0);
+    while (first >= 0 && first < getRowCount()) {
+      int last = first;
+      while (last + 1 < getRowCount() && selection.has(last + 1)) {
+        last++;
+      }
+      model.addSelectionInterval(first, last);
+      first = selection.next(last + 1);
+    }
+    model.setValueIsAdjusting(false);
+    if (!selection.isEmpty()) {
+      scrollRectToVisible(getCellRect(selection.next(0), 0, true));
+    }
   }
 }
