@@ -155,9 +155,9 @@ public final class Jobs {
   /** Of all jobs the first that can be cancelled, or else the first. */
   private Optional<Job<?>> current() {
     return waiting.stream()
-        .filter(job -> !job.isWrite())
+        .filter(job -> !job.isWrite() && job.isAlive())
         .findFirst()
-        .or(() -> waiting.stream().findFirst());
+        .or(() -> waiting.stream().filter(Job::isAlive).findFirst());
   }
 
   /** Whether there are files that are not written yet. */
@@ -264,15 +264,21 @@ public final class Jobs {
       }
     }
 
-    /** Works, and tells of the end whatever it was: also of an error of the machine. */
-    @Override
-    public void run() {
+    private void begin() {
       begun.set(true);
       SwingUtilities.invokeLater(
           () -> {
             listed();
             announce(this, -1);
           });
+    }
+
+    /** Works, and tells of the end whatever it was: also of an error of the machine. */
+    @Override
+    public void run() {
+      if (!isCancelled()) {
+        begin();
+      }
       Runnable then;
       try {
         checkCancelled();
