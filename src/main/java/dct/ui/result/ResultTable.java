@@ -32,7 +32,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 public final class ResultTable extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final int MARGIN = 10;
-  private static final Dimension SIZE = new Dimension(900, 180);
+  private static final Dimension SIZE = new Dimension(1200, 200);
   private static final int WIDEST = 420; // of a column
   private static final int ROOM = 24; // in a cell, for the arrow of the sorting
 
@@ -63,6 +63,7 @@ public final class ResultTable extends JDialog {
     layOut();
     chosen();
     pack();
+    setSize(Math.min(getWidth(), getGraphicsConfiguration().getBounds().width), getHeight());
   }
 
   private static JButton button(String name, String description) {
