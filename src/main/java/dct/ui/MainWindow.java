@@ -307,6 +307,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void restoreView() {
     Settings settings = session.settings();
     canvas.setLabels(new Labels(settings.isOn("labels.numbers"), settings.isOn("labels.degrees")));
+    results.setInWindow(settings.isOn("results.inWindow"));
     if (settings.isOn("view.yUp")) {
       canvas.setViewport(canvas.viewport().flipped(0, 0));
     }
@@ -317,6 +318,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     Settings settings = session.settings();
     settings.put("labels.numbers", canvas.labels().numbers());
     settings.put("labels.degrees", canvas.labels().degrees());
+    settings.put("results.inWindow", results.isInWindow());
     settings.put("view.yUp", canvas.viewport().yUp());
     Placement.remember(this, settings);
   }

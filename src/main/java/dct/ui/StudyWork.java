@@ -51,9 +51,16 @@ final class StudyWork implements StudyHost {
   }
 
   private void open(StudyKind kind) {
-    StudyDialog dialog = dialogs.computeIfAbsent(kind, each -> new StudyDialog(owner, each, this));
+    StudyDialog dialog = dialogs.computeIfAbsent(kind, this::dialog);
     dialog.setVisible(true);
     dialog.toFront();
+  }
+
+  /** A dialog that is no larger than the screen. */
+  private StudyDialog dialog(StudyKind kind) {
+    StudyDialog dialog = new StudyDialog(owner, kind, this);
+    Placement.centre(dialog);
+    return dialog;
   }
 
   @Override

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.result.ResultView;
 import java.awt.Component;
+import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JTable;
@@ -59,6 +60,30 @@ class ViewsWindowTest extends WindowTest {
     perform("Results in This Window");
     await("the frame", () -> results().size() == 1);
     assertThat(views()).isEmpty();
+  }
+
+  @Test
+  void whereResultsAreShownIsRemembered() {
+    perform("Results in This Window");
+    MainWindow next =
+        onEventThread(
+            () -> {
+              window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_DEACTIVATED));
+              return new Windows(session).openWindow();
+            });
+    assertThat(
+            onEventThread(
+                () ->
+                    next.commands()
+                        .get("Results in This Window")
+                        .getValue(javax.swing.Action.SELECTED_KEY)))
+        .isEqualTo(true);
+    onEventThread(
+        () -> {
+          next.workbench().jobs().shutDown();
+          next.dispose();
+          return null;
+        });
   }
 
   @Test

@@ -92,7 +92,7 @@ final class ResultRows extends AbstractTableModel {
   }
 
   /** Rows as text with their heads, a line each, the cells apart by tabs. */
-  String text(int... indices) {
+  String lines(int... indices) {
     StringBuilder text = new StringBuilder(String.join("\t", COLUMNS)).append('\n');
     for (int index : indices) {
       for (int column = 0; column < COLUMNS.size(); column++) {

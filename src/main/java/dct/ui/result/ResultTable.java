@@ -190,7 +190,7 @@ public final class ResultTable extends JDialog {
         chosen.length > 0
             ? chosen
             : IntStream.range(0, table.getRowCount()).map(table::convertRowIndexToModel).toArray();
-    getToolkit().getSystemClipboard().setContents(new StringSelection(rows.text(copied)), null);
+    getToolkit().getSystemClipboard().setContents(new StringSelection(rows.lines(copied)), null);
   }
 
   /** Cells that say in full what does not fit. */

@@ -28,14 +28,14 @@ import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 
 /**
- * The dialog of a study: what it tries, a table that fills while it runs, and a chart beside it.
+ * The dialog of a study: what it tries, a table that fills while it runs, and a chart below it.
  * Cancel keeps the rows that are there; Start goes on from them. Closing it cancels and keeps, too.
  */
 public final class StudyDialog extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final int MARGIN = 10;
   private static final int STEPS = 1000; // of the progress bar
-  private static final int TABLE_WIDTH = 480;
+  private static final Dimension TABLE = new Dimension(940, 190);
 
   private final transient StudyKind kind;
   private final transient StudyHost host;
@@ -81,9 +81,9 @@ public final class StudyDialog extends JDialog {
     content.setBorder(BorderFactory.createEmptyBorder(MARGIN, MARGIN, MARGIN, MARGIN));
     content.add(options, BorderLayout.NORTH);
     JScrollPane table = new JScrollPane(new RowsTable(rows, this::openPictures));
-    JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, table, chartSide());
-    split.setResizeWeight(1);
-    table.setPreferredSize(new Dimension(TABLE_WIDTH, 0));
+    JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, table, chartSide());
+    split.setResizeWeight(0.4);
+    table.setPreferredSize(TABLE);
     content.add(split, BorderLayout.CENTER);
     content.add(bottom(), BorderLayout.SOUTH);
     setContentPane(content);
