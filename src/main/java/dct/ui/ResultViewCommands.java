@@ -125,7 +125,7 @@ final class ResultViewCommands {
   private void showTable() {
     if (table == null) {
       table = new ResultTable(owner, this::bringForward, this::compare);
-      table.setLocationRelativeTo(owner);
+      Placement.centre(table); // no larger than the screen
     }
     table.show(all());
     table.setVisible(true);
