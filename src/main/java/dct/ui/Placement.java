@@ -89,7 +89,8 @@ final class Placement {
     setPlaced(window);
   }
 
-  private static void setPlaced(JFrame window) {
+  /** Says that somebody has chosen the place and size of a window. */
+  static void setPlaced(JFrame window) {
     window.getRootPane().putClientProperty(PLACED, true);
   }
 
@@ -98,14 +99,15 @@ final class Placement {
    * widths of the frame's borders become known only some time after.
    */
   static void settle(JFrame window, Component component) {
-    if (Boolean.TRUE.equals(window.getRootPane().getClientProperty(PLACED))) {
+    if (isPlaced(window)) {
       return;
     }
     Timer timer = new Timer(SETTLE_MILLIS, null);
     int[] left = {SETTLE_TIMES};
     timer.addActionListener(
         e -> {
-          boolean free = window.getExtendedState() == Frame.NORMAL && fits(window);
+          boolean free =
+              window.getExtendedState() == Frame.NORMAL && fits(window) && !isPlaced(window);
           if (free && !component.getSize().equals(component.getPreferredSize())) {
             centre(window);
           }
@@ -115,6 +117,10 @@ final class Placement {
         });
     timer.setInitialDelay(0);
     timer.start();
+  }
+
+  private static boolean isPlaced(JFrame window) {
+    return Boolean.TRUE.equals(window.getRootPane().getClientProperty(PLACED));
   }
 
   private static boolean fits(Window window) {

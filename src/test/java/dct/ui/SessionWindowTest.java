@@ -230,6 +230,7 @@ class SessionWindowTest extends WindowTest {
     drawTriangle();
     onEventThread(
         () -> {
+          Placement.setPlaced(window);
           window.setBounds(40, 30, 900, 650);
           return null;
         });

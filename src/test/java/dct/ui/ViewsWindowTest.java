@@ -90,8 +90,9 @@ class ViewsWindowTest extends WindowTest {
   void theTableListsAllResultsOfThePoints() {
     draw();
     pushForResult("Monotone Polygon Triangulation");
-    pushForResult("Perform Flip");
-    pushForResult("Convex Polygon Odd Triangulation");
+    perform("Perform Flip"); // the frames may cover the buttons
+    perform("Convex Polygon Odd Triangulation");
+    await("the frames", () -> results().size() == 3);
     perform("Table of Results");
     JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
     assertThat(onEventThread(table::getRowCount)).isEqualTo(3);
@@ -110,7 +111,8 @@ class ViewsWindowTest extends WindowTest {
   void compareShowsOnlyWhatDiffers() {
     draw();
     ResultFrame monotone = pushForResult("Monotone Polygon Triangulation");
-    pushForResult("Convex Polygon Odd Triangulation");
+    perform("Convex Polygon Odd Triangulation");
+    await("the frames", () -> results().size() == 2);
     onEventThread(
         () -> {
           javax.swing.SwingUtilities.invokeLater(

@@ -34,6 +34,7 @@ import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A real main window, used with a real mouse and keyboard. */
@@ -45,7 +46,11 @@ abstract class WindowTest {
     GuiToolkit.load();
   }
 
-  @TempDir Path state; // what the program would keep in the user's own folder
+  /**
+   * What the program would keep in the user's own folder; a second session may still write there.
+   */
+  @TempDir(cleanup = CleanupMode.NEVER)
+  Path state;
 
   Session session;
   org.assertj.swing.core.Robot robot;
