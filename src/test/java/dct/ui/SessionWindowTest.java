@@ -19,6 +19,7 @@ import javax.swing.JMenuItem;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What outlives a window and a run of the program: journals, settings, recent files. */
@@ -26,7 +27,9 @@ class SessionWindowTest extends WindowTest {
   private static final Points TRIANGLE = Points.ofPairs(100, 100, 500, 100, 300, 400);
   private static final double[] BOW_TIE = {100, 100, 500, 400, 500, 100, 100, 400};
 
-  @TempDir Path folder;
+  /** Not removed: a window that closes may still write its settings there. */
+  @TempDir(cleanup = CleanupMode.NEVER)
+  Path folder;
 
   private void drawTriangle() {
     choose("Polygon Based");
