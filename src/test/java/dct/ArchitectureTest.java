@@ -155,7 +155,16 @@ class ArchitectureTest {
           .resideInAnyPackage("dct.ui.tool..", "dct.ui.document..")
           .should()
           .dependOnClassesThat()
-          .resideInAnyPackage("javax.swing..", "dct.ui", "dct.ui.canvas..", "dct.ui.command..");
+          .resideInAnyPackage(
+              "javax.swing..",
+              "dct.ui",
+              "dct.ui.canvas..",
+              "dct.ui.command..",
+              "dct.ui.dialog..",
+              "dct.ui.edit..",
+              "dct.ui.file..",
+              "dct.ui.solve..",
+              "dct.ui.workbench..");
 
   @ArchTest
   static final ArchRule ONLY_THE_COMMAND_LINE_PRINTS =

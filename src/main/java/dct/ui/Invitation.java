@@ -3,6 +3,7 @@ package dct.ui;
 import com.formdev.flatlaf.FlatClientProperties;
 import dct.core.triangulate.Domain;
 import dct.ui.command.CommandRegistry;
+import dct.ui.file.Samples;
 import java.awt.Component;
 import java.awt.FlowLayout;
 import java.util.EnumMap;

@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.dialog.FaultLog;
+import dct.ui.menu.Look;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import java.nio.file.Path;

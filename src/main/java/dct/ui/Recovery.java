@@ -1,5 +1,6 @@
 package dct.ui;
 
+import dct.ui.dialog.Ask;
 import dct.ui.session.Orphan;
 import java.awt.Component;
 import java.time.ZoneId;

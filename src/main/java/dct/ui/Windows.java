@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.dialog.Placement;
+import dct.ui.file.WindowHost;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import java.awt.event.WindowAdapter;

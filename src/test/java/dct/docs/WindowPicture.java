@@ -1,10 +1,10 @@
 package dct.docs;
 
-import dct.ui.Look;
 import dct.ui.MainWindow;
-import dct.ui.ResultFrame;
 import dct.ui.Windows;
+import dct.ui.menu.Look;
 import dct.ui.session.Session;
+import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.Frame;
 import java.awt.Rectangle;

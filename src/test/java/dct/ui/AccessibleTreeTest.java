@@ -3,6 +3,8 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.menu.CommandWindow;
+import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;

@@ -2,6 +2,7 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.ui.menu.Look;
 import java.awt.Color;
 import java.awt.Component;
 import javax.swing.SwingUtilities;

@@ -3,6 +3,8 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.degree.Mark;
+import dct.ui.menu.CommandWindow;
+import dct.ui.solve.ResultFrame;
 import java.awt.Dialog;
 import java.awt.Window;
 import java.awt.event.KeyEvent;

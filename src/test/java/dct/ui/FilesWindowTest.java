@@ -8,6 +8,8 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
+import dct.ui.file.Samples;
+import dct.ui.solve.ResultFrame;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -11,6 +11,7 @@ import dct.problem.Solution;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
+import dct.ui.solve.ResultFrame;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.util.Random;

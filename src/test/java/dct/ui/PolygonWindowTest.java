@@ -15,6 +15,7 @@ import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.PolygonShape;
 import dct.render.Ink;
+import dct.ui.solve.ResultFrame;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;

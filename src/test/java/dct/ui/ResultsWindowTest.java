@@ -3,6 +3,7 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.triangulate.Triangulation;
+import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.HashSet;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.geometry.Points;
 import dct.experiment.generate.PolygonShape;
+import dct.ui.solve.ResultFrame;
 import dct.ui.study.StudyDialog;
 import java.awt.Frame;
 import java.awt.event.KeyEvent;

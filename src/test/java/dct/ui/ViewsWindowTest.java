@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.result.ResultView;
+import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.event.WindowEvent;
 import java.util.List;

@@ -1,0 +1,82 @@
+package dct.ui.dialog;
+
+import java.awt.Component;
+import javax.swing.JDialog;
+import javax.swing.JOptionPane;
+
+/**
+ * Questions and messages, in sentences that wrap. Enter takes the answer by which nothing is lost,
+ * Esc none.
+ */
+public final class Ask {
+
+  private Ask() {}
+
+  /** An option pane whose lines have a length that is good to read. */
+  private static final class Pane extends JOptionPane {
+    private static final long serialVersionUID = 1L;
+
+    Pane(String message, int kind, int onEnter, Object... options) {
+      super(message, kind, DEFAULT_OPTION, null, options, options[onEnter]);
+    }
+
+    @Override
+    public int getMaxCharactersPerLineCount() {
+      return 72;
+    }
+  }
+
+  /** Says that something is wrong. */
+  public static void sorry(Component parent, String title, String sentence) {
+    show(parent, title, new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, "OK"));
+  }
+
+  /** Says something. */
+  public static void tell(Component parent, String title, String sentence) {
+    show(parent, title, new Pane(sentence, JOptionPane.INFORMATION_MESSAGE, 0, "OK"));
+  }
+
+  /**
+   * Asks whether to do something by which something may be lost; Enter cancels.
+   *
+   * @param yes what the first button says; the second says Cancel
+   * @return whether the first button was pressed
+   */
+  public static boolean confirm(Component parent, String title, String question, String yes) {
+    return choose(parent, title, question, 1, yes, "Cancel") == 0;
+  }
+
+  /** Says that something is wrong, and offers to do something about it. */
+  public static boolean offer(Component parent, String title, String sentence, String yes) {
+    Pane pane = new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, yes, "Close");
+    return chosen(parent, title, pane, yes, "Close") == 0;
+  }
+
+  /**
+   * Asks a question of several answers; the number of the one chosen, or −1.
+   *
+   * @param onEnter the number of the answer that Enter gives: one by which nothing is lost
+   */
+  public static int choose(
+      Component parent, String title, String question, int onEnter, String... answers) {
+    Pane pane = new Pane(question, JOptionPane.QUESTION_MESSAGE, onEnter, (Object[]) answers);
+    return chosen(parent, title, pane, answers);
+  }
+
+  private static int chosen(Component parent, String title, Pane pane, String... answers) {
+    Object value = show(parent, title, pane);
+    for (int i = 0; i < answers.length; i++) {
+      if (answers[i].equals(value)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private static Object show(Component parent, String title, Pane pane) {
+    JDialog dialog = pane.createDialog(parent, title);
+    dialog.setVisible(true); // returns when it is closed
+    dialog.dispose();
+    return pane.getValue();
+  }
+}

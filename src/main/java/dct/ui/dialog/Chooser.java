@@ -1,0 +1,85 @@
+package dct.ui.dialog;
+
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JFileChooser;
+import javax.swing.filechooser.FileNameExtensionFilter;
+
+/** The file panels. Each kind begins in the folder where it was last, unless told another. */
+public enum Chooser {
+  DOCUMENTS("Polygons and sites", "txt", "json"),
+  FLIPS("Lists of flips", "txt"),
+  WISHES("Wished parities", "txt"),
+  PICTURES("Pictures", FileEnding.extensions(Content.PICTURE)),
+  STUDIES(
+      "Rows, tables and charts",
+      FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));
+
+  private static final Map<Chooser, Path> LAST = new EnumMap<>(Chooser.class); // folders
+
+  private final String filter;
+  private final String extensions; // separated by blanks
+
+  Chooser(String title, String... extensions) {
+    filter = title + " (*." + String.join(", *.", extensions) + ")";
+    this.extensions = String.join(" ", extensions);
+  }
+
+  /** Asks for a file to open. */
+  public Optional<Path> open(Component parent, Optional<Path> folder) {
+    JFileChooser chooser = panel(folder);
+    return chosen(chooser, chooser.showOpenDialog(parent));
+  }
+
+  /** Asks for a file to save to; the one suggested may be a bare name. */
+  public Optional<Path> save(Component parent, Path suggested) {
+    return ask(parent, suggested, "Save", chooser -> {});
+  }
+
+  /**
+   * Asks for a file to write to; the one suggested may be a bare name.
+   *
+   * @param title what is done to it, for the panel's title and button
+   * @param extend adds to the panel what else is to be asked
+   */
+  public Optional<Path> ask(
+      Component parent, Path suggested, String title, Consumer<JFileChooser> extend) {
+    JFileChooser chooser = panel(Optional.ofNullable(suggested.getParent()));
+    chooser.setDialogTitle(title);
+    extend.accept(chooser);
+    chooser.setSelectedFile(
+        suggested.isAbsolute()
+            ? suggested.toFile()
+            : new File(chooser.getCurrentDirectory(), suggested.toString()));
+    return chosen(chooser, chooser.showDialog(parent, title.replaceFirst(" .*", "")));
+  }
+
+  /** Asks whether a file may be replaced. */
+  public static boolean confirmReplacing(Component parent, Path file) {
+    return Ask.confirm(
+        parent, "Replace File", file.getFileName() + " is there already. Replace it?", "Replace");
+  }
+
+  private JFileChooser panel(Optional<Path> folder) {
+    Path begin = folder.or(() -> Optional.ofNullable(LAST.get(this))).orElse(Path.of(""));
+    JFileChooser chooser = new JFileChooser(begin.toAbsolutePath().toFile());
+    chooser.setFileFilter(new FileNameExtensionFilter(filter, extensions.split(" ")));
+    return chooser;
+  }
+
+  private Optional<Path> chosen(JFileChooser chooser, int answer) {
+    if (answer != JFileChooser.APPROVE_OPTION) {
+      return Optional.empty();
+    }
+    Path file = chooser.getSelectedFile().toPath();
+    LAST.put(this, file.toAbsolutePath().getParent());
+    return Optional.of(file);
+  }
+}

@@ -1,0 +1,61 @@
+package dct.ui.dialog;
+
+import dct.core.geometry.Defect;
+import dct.core.geometry.InvalidGeometryException;
+import dct.experiment.generate.CannotGenerateException;
+import dct.io.BadInputException;
+import java.awt.Component;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+
+/** Says in one sentence why a job failed. */
+public final class Failures {
+  private final Component parent;
+  private final Consumer<Defect> goTo;
+
+  /**
+   * Failures shown over a window.
+   *
+   * @param goTo shows the place of a defect
+   */
+  public Failures(Component parent, Consumer<Defect> goTo) {
+    this.parent = parent;
+    this.goTo = goTo;
+  }
+
+  /** Shows one dialog. */
+  public void show(String what, Throwable cause) {
+    if (cause instanceof InvalidGeometryException e) {
+      show(what, e.defect());
+    } else if (cause instanceof BadInputException e) {
+      Ask.sorry(parent, what, sentence(e));
+    } else if (cause instanceof CannotGenerateException e) {
+      Ask.sorry(parent, what, "Nothing was changed: " + e.getMessage() + ".");
+    } else if (cause instanceof UncheckedIOException e) {
+      Ask.sorry(parent, what, e.getCause().getMessage());
+    } else if (cause instanceof OutOfMemoryError) {
+      Ask.sorry(parent, what, "There is not enough memory; give Java more with -Xmx.");
+    } else {
+      Ask.sorry(parent, what, FaultLog.ofUser().keep(cause));
+    }
+  }
+
+  private void show(String what, Defect defect) {
+    boolean hasPlace =
+        defect.kind() != Defect.Kind.TOO_FEW && defect.kind() != Defect.Kind.COLLINEAR;
+    String sentence = "The polygon is not simple: " + defect.message() + ".";
+    if (!hasPlace) {
+      Ask.sorry(parent, what, "There is no polygon to triangulate: " + defect.message() + ".");
+    } else if (Ask.offer(parent, what, sentence, "Show Me")) {
+      goTo.accept(defect);
+    }
+  }
+
+  /** The file's own name, the line, the fault and its cure. */
+  private static String sentence(BadInputException e) {
+    Path name = Path.of(e.file()).getFileName();
+    String file = name == null ? e.file() : name.toString();
+    return file + (e.line() > 0 ? ", line " + e.line() : "") + ": " + e.fault() + ".";
+  }
+}

@@ -1,0 +1,143 @@
+package dct.ui.dialog;
+
+import dct.ui.session.Settings;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Frame;
+import java.awt.GraphicsConfiguration;
+import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.util.OptionalInt;
+import javax.swing.JFrame;
+import javax.swing.Timer;
+
+/** Finds places for windows on the screen. */
+public final class Placement {
+  private static final int STEP = 36;
+  private static final int LEAST = 100;
+  private static final String PLACED = "dct.placed"; // of a window whose size is not to change
+  private static final int SETTLE_MILLIS = 100;
+  private static final int SETTLE_TIMES = 6;
+
+  private Placement() {}
+
+  /** Packs a window, no larger than the screen, and puts it into the middle. */
+  public static void centre(Window window) {
+    window.pack();
+    Rectangle screen = usable(window);
+    if (window.getWidth() > screen.width || window.getHeight() > screen.height) {
+      window.setSize(
+          Math.min(window.getWidth(), screen.width), Math.min(window.getHeight(), screen.height));
+    }
+    window.setLocation(
+        screen.x + (screen.width - window.getWidth()) / 2,
+        screen.y + (screen.height - window.getHeight()) / 2);
+  }
+
+  /** Puts a window where it was when the settings were told of it, or else into the middle. */
+  public static void restore(JFrame window, Settings settings) {
+    centre(window);
+    OptionalInt x = settings.number("window.x");
+    OptionalInt y = settings.number("window.y");
+    OptionalInt width = settings.number("window.width");
+    OptionalInt height = settings.number("window.height");
+    if (x.isPresent() && y.isPresent() && width.isPresent() && height.isPresent()) {
+      Rectangle bounds =
+          new Rectangle(x.getAsInt(), y.getAsInt(), width.getAsInt(), height.getAsInt());
+      if (isReachable(bounds, usable(window))) {
+        window.setBounds(bounds);
+        setPlaced(window);
+      }
+    }
+    if (settings.isOn("window.maximized")) {
+      window.setExtendedState(Frame.MAXIMIZED_BOTH);
+    }
+  }
+
+  /** Whether enough of a window is on the screen to use it and move it. */
+  static boolean isReachable(Rectangle window, Rectangle screen) {
+    Rectangle seen = window.intersection(screen);
+    return seen.width >= LEAST && seen.height >= LEAST && window.y >= screen.y;
+  }
+
+  /** Tells the settings where a window is. */
+  public static void remember(JFrame window, Settings settings) {
+    boolean maximized = (window.getExtendedState() & Frame.MAXIMIZED_BOTH) != 0;
+    settings.put("window.maximized", maximized);
+    if (!maximized) {
+      Rectangle bounds = window.getBounds();
+      settings.put("window.x", bounds.x);
+      settings.put("window.y", bounds.y);
+      settings.put("window.width", bounds.width);
+      settings.put("window.height", bounds.height);
+    }
+  }
+
+  /** Gives a window the size of another, a step lower and further right if there is room. */
+  public static void below(JFrame window, JFrame other) {
+    window.setSize(other.getSize());
+    Rectangle screen = usable(other);
+    int x = other.getX() + STEP;
+    int y = other.getY() + STEP;
+    boolean room =
+        x + window.getWidth() <= screen.x + screen.width
+            && y + window.getHeight() <= screen.y + screen.height;
+    boolean corner = other.getX() == screen.x && other.getY() == screen.y;
+    window.setLocation(room || corner ? x : screen.x, room || corner ? y : screen.y);
+    setPlaced(window);
+  }
+
+  /** Says that somebody has chosen the place and size of a window. */
+  public static void setPlaced(JFrame window) {
+    window.getRootPane().putClientProperty(PLACED, true);
+  }
+
+  /**
+   * Sees to it that a component has its preferred size in the window that was just opened: the
+   * widths of the frame's borders become known only some time after.
+   */
+  public static void settle(JFrame window, Component component) {
+    if (isPlaced(window)) {
+      return;
+    }
+    Timer timer = new Timer(SETTLE_MILLIS, null);
+    int[] left = {SETTLE_TIMES};
+    timer.addActionListener(
+        e -> {
+          boolean free =
+              window.getExtendedState() == Frame.NORMAL && fits(window) && !isPlaced(window);
+          if (free && !component.getSize().equals(component.getPreferredSize())) {
+            centre(window);
+          }
+          if (--left[0] == 0) {
+            timer.stop();
+          }
+        });
+    timer.setInitialDelay(0);
+    timer.start();
+  }
+
+  private static boolean isPlaced(JFrame window) {
+    return Boolean.TRUE.equals(window.getRootPane().getClientProperty(PLACED));
+  }
+
+  private static boolean fits(Window window) {
+    Rectangle screen = usable(window);
+    Dimension wished = window.getPreferredSize();
+    return wished.width <= screen.width && wished.height <= screen.height;
+  }
+
+  /** The part of the screen of a window that no bar of the desktop takes. */
+  public static Rectangle usable(Window window) {
+    GraphicsConfiguration configuration = window.getGraphicsConfiguration();
+    Rectangle screen = configuration.getBounds();
+    Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(configuration);
+    return new Rectangle(
+        screen.x + bars.left,
+        screen.y + bars.top,
+        screen.width - bars.left - bars.right,
+        screen.height - bars.top - bars.bottom);
+  }
+}

@@ -1,0 +1,166 @@
+package dct.ui.edit;
+
+import dct.core.Progress;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.geometry.Defect;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.geometry.Untangle;
+import dct.core.triangulate.Domain;
+import dct.render.Viewport;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.command.CommandRegistry;
+import dct.ui.document.Document;
+import dct.ui.document.Edit;
+import dct.ui.document.Editor;
+import dct.ui.workbench.Workbench;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** What can be done about a polygon that is not simple. */
+public final class CrossingWork {
+  private static final String UNTANGLE = "Untangle";
+
+  private final Workbench workbench;
+  private final CanvasPanel canvas;
+  private Optional<Defect> last = Optional.empty(); // gone to
+
+  /** Work on the polygon of a workbench. */
+  public CrossingWork(Workbench workbench, CanvasPanel canvas) {
+    this.workbench = workbench;
+    this.canvas = canvas;
+  }
+
+  /** Offers the commands. */
+  public void offer(CommandRegistry commands) {
+    commands
+        .add(
+            "Go to Crossing",
+            "ctrl G",
+            "Shows where the polygon is not simple, one place after the other",
+            this::goToNext)
+        .enabledWhen(() -> !places().isEmpty());
+    commands
+        .add(
+            UNTANGLE,
+            "ctrl U",
+            "Exchanges edges that cross until the polygon is simple; its vertices stay",
+            this::untangle)
+        .enabledWhen(() -> !places().isEmpty());
+    commands
+        .add(
+            "Use as Sites",
+            "",
+            "Takes the polygon's vertices for the sites of the other application",
+            this::useAsSites)
+        .enabledWhen(() -> workbench.isChosen(Domain.POLYGON) && editor().document().size() > 0);
+  }
+
+  private Editor editor() {
+    return workbench.editor(Domain.POLYGON);
+  }
+
+  /** The defects of the polygon that have a place, if it is chosen. */
+  private List<Defect> places() {
+    return workbench.isChosen(Domain.POLYGON)
+        ? editor().shown().defects().stream().filter(CrossingWork::hasPlace).toList()
+        : List.of();
+  }
+
+  private static boolean hasPlace(Defect defect) {
+    return switch (defect.kind()) {
+      case TOO_FEW, COLLINEAR, FEW_SITES, SITES_ON_ONE_LINE -> false;
+      default -> true;
+    };
+  }
+
+  /** What is wrong with the polygon, unless it is still being drawn. */
+  public Optional<String> hint() {
+    boolean drawing = workbench.tool().equals(workbench.boxes().stream().findFirst());
+    List<Defect> places = drawing ? List.of() : places();
+    return places.stream()
+        .findFirst()
+        .map(first -> "Not simple: " + first.message() + ", or choose Edit ▸ " + UNTANGLE);
+  }
+
+  private void goToNext() {
+    List<Defect> places = places();
+    int next = (last.map(places::indexOf).orElse(-1) + 1) % places.size();
+    goTo(places.get(next));
+    String count = places.size() == 1 ? "" : " (" + (next + 1) + " of " + places.size() + ")";
+    workbench.say("Here " + places.get(next).message() + count);
+  }
+
+  /** Shows the place of a defect, large enough to tell its edges apart. */
+  public void goTo(Defect defect) {
+    last = Optional.of(defect);
+    workbench.choose(Domain.POLYGON);
+    workbench.chooseEdit();
+    double x = canvas.getWidth() / 2.0;
+    double y = canvas.getHeight() / 2.0;
+    Viewport here = canvas.viewport().showing(defect.x(), defect.y(), x, y);
+    double factor = Math.min(x, y) / 2 / (reach(defect) * here.scale());
+    boolean usable = Double.isFinite(factor) && factor > 0;
+    canvas.setViewport(usable ? here.zoomed(factor, x, y) : here);
+  }
+
+  /** The distance from the place of a defect to the nearest end of its edges elsewhere. */
+  private double reach(Defect defect) {
+    Points points = editor().document().points();
+    int n = points.size();
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int v : new int[] {defect.first(), defect.second()}) {
+      for (int end : new int[] {v % n, (v + 1) % n}) {
+        double distance = Math.hypot(points.x(end) - defect.x(), points.y(end) - defect.y());
+        nearest = distance > 0 ? Math.min(nearest, distance) : nearest;
+      }
+    }
+    return nearest;
+  }
+
+  private void untangle() {
+    Document document = editor().document();
+    workbench
+        .jobs()
+        .submit(
+            UNTANGLE,
+            progress -> untangled(document, progress),
+            after -> {
+              if (editor().document().equals(document)) {
+                editor().perform(new Edit.Replace(UNTANGLE, document, after));
+                workbench.say("The polygon is simple now; its vertices have other numbers");
+              } else {
+                workbench.say("The polygon has changed meanwhile; it was not untangled");
+              }
+            });
+  }
+
+  private static Document untangled(Document document, Progress progress) {
+    int[] order = Untangle.order(document.points(), progress);
+    Points points = document.points();
+    Points after =
+        Points.of(
+            Arrays.stream(order).mapToDouble(points::x).toArray(),
+            Arrays.stream(order).mapToDouble(points::y).toArray());
+    Wish[] wishes = Arrays.stream(order).mapToObj(document.wishes()::wish).toArray(Wish[]::new);
+    return new Document(document.domain(), after, ParityGoal.of(wishes));
+  }
+
+  private void useAsSites() {
+    Document polygon = editor().document();
+    Editor sites = workbench.editor(Domain.SITES);
+    Document before = sites.document();
+    Points points = Sites.of(polygon.points(), Progress.NONE).points(); // of some vertices, one
+    boolean all = points.size() == polygon.size();
+    Document after =
+        all
+            ? new Document(Domain.SITES, points, polygon.wishes())
+            : new Document(Domain.SITES, points);
+    sites.perform(new Edit.Replace("Use as Sites", before, after));
+    workbench.choose(Domain.SITES);
+    workbench.chooseEdit();
+    canvas.showWell();
+  }
+}

@@ -1,0 +1,75 @@
+package dct.ui.file;
+
+import dct.ui.dialog.Ask;
+import dct.ui.document.Editor;
+import dct.ui.job.Jobs;
+import dct.ui.workbench.Workbench;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JFrame;
+
+/** Closes a window, but not before what would be lost by that has been named. */
+public final class Closing {
+  private static final String TITLE = "Exit";
+
+  private final JFrame window;
+  private final Workbench workbench;
+  private final FileWork files;
+  private final WindowHost host;
+  private final Runnable close;
+  private boolean waiting; // until all files are written
+
+  /**
+   * Closing of a window.
+   *
+   * @param close closes it for good
+   */
+  public Closing(
+      JFrame window, Workbench workbench, FileWork files, WindowHost host, Runnable close) {
+    this.window = window;
+    this.workbench = workbench;
+    this.files = files;
+    this.host = host;
+    this.close = close;
+  }
+
+  /** Asks, and closes the window, once what is being saved is in its file. */
+  public void begin() {
+    Jobs jobs = workbench.jobs();
+    if (jobs.isWriting() && !waiting) {
+      waiting = true;
+      workbench.say(
+          "Closing as soon as what is being saved is in its file; Exit again asks at once");
+      jobs.write("Closing", progress -> true, written -> ask());
+    } else {
+      ask();
+    }
+  }
+
+  private void ask() {
+    waiting = false;
+    List<Editor> unsaved = files.unsaved();
+    if (unsaved.isEmpty()) {
+      if (Ask.confirm(window, TITLE, question(unsaved), TITLE)) {
+        close.run();
+      }
+      return;
+    }
+    switch (Ask.choose(window, TITLE, question(unsaved), 0, "Save", "Don't Save", "Cancel")) {
+      case 0 -> files.save(unsaved, close);
+      case 1 -> close.run();
+      default -> {}
+    }
+  }
+
+  private String question(List<Editor> unsaved) {
+    List<String> sentences = new ArrayList<>();
+    sentences.add(host.isLast(window) ? "Close the application?" : "Close this window?");
+    List<String> work = workbench.jobs().work();
+    if (!work.isEmpty()) {
+      sentences.add("What is going on would end: " + String.join(", ", work) + ".");
+    }
+    unsaved.forEach(editor -> sentences.add(Unsaved.sentence(editor)));
+    return String.join(" ", sentences);
+  }
+}

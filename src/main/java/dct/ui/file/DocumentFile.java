@@ -1,0 +1,139 @@
+package dct.ui.file;
+
+import dct.core.Progress;
+import dct.core.degree.ParityGoal;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Domain;
+import dct.io.BadInputException;
+import dct.io.CannotWriteException;
+import dct.io.FileEnding;
+import dct.io.FileNames;
+import dct.io.FileStamp;
+import dct.io.PointDocument;
+import dct.io.PointFile;
+import dct.io.ResultJson;
+import dct.problem.Method;
+import dct.problem.Solution;
+import dct.problem.verify.Verdict;
+import dct.problem.verify.Verdict.Check;
+import dct.problem.verify.Verdict.Outcome;
+import dct.ui.document.Document;
+import dct.ui.document.Origin;
+import dct.ui.document.Result;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Reads and writes the files of documents, in the background. */
+public final class DocumentFile {
+
+  private DocumentFile() {}
+
+  /**
+   * What was read.
+   *
+   * @param origin where it was found
+   * @param remark what there is to say of it; empty if nothing
+   */
+  record Read(Document document, Origin origin, String remark) {}
+
+  /**
+   * Reads the file that a name leads to; the points need not make a simple polygon.
+   *
+   * @param otherwise what the points are unless the file says so
+   * @throws BadInputException if it holds no points of one ring, wishes of other vertices, or a
+   *     triangulation of which anything is false
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static Read read(Path typed, Domain otherwise, Progress progress) {
+    Path file = FileNames.forOpening(typed);
+    Optional<FileStamp> stamp = FileStamp.of(file); // first, so that a change after it is seen
+    PointDocument read = PointFile.read(file, progress);
+    Domain domain = read.declared().orElse(otherwise);
+    PointDocument declared = read.declared(domain);
+    declared.checkOneRing();
+    Points points = declared.points();
+    if (points.size() == 0) {
+      throw new BadInputException(
+          file.toString(), 0, "there are no points in it; choose another file");
+    }
+    return read(declared, new Origin(file, stamp), progress);
+  }
+
+  private static Read read(PointDocument read, Origin origin, Progress progress) {
+    Optional<Verdict> verdict = read.verified(progress);
+    Optional<Solution> solution = read.solution(progress);
+    Points points = read.points();
+    Domain domain = read.declared().orElseThrow();
+    Points kept = domain == Domain.SITES ? Sites.of(points, progress).points() : points;
+    int merged = points.size() - kept.size();
+    String remark =
+        merged > 0
+            ? merged + " sites were there already and have been merged"
+            : verdict.flatMap(v -> v.first(Outcome.OPEN)).map(Check::detail).orElse("");
+    Optional<Result> result =
+        solution.filter(made -> !isAutomatic(made)).map(made -> result(domain, made));
+    Document document = new Document(domain, kept, wishes(read, kept.size()), result);
+    return new Read(document, origin, remark);
+  }
+
+  private static ParityGoal wishes(PointDocument read, int n) {
+    Optional<ParityGoal> wishes = read.wishes();
+    if (wishes.filter(goal -> goal.size() != n).isPresent()) {
+      throw new BadInputException(
+          read.source(), 0, "two of its sites are at the same place; remove one and its wish");
+    }
+    return wishes.orElseGet(() -> ParityGoal.allEven(n));
+  }
+
+  /** Whether the window shows it of these points anyway. */
+  private static boolean isAutomatic(Solution made) {
+    return made.method() == Method.DELAUNAY && made.flips().isEmpty() && made.optimum().isEmpty();
+  }
+
+  private static Result result(Domain domain, Solution made) {
+    int view = domain == Domain.SITES ? Result.CANVAS : Result.OPENED;
+    return Result.of(view, title(made), made);
+  }
+
+  private static String title(Solution made) {
+    String method = made.method().title();
+    String plain = made.flips().isPresent() ? "Perform Flip after " + method : method;
+    return made.optimum().map(best -> MostVertices.title(best.goal())).orElse(plain);
+  }
+
+  /** Whether a file of this name keeps wishes and triangulation, too. */
+  static boolean keepsAll(Path file) {
+    return FileEnding.JSON.isOf(file.toString());
+  }
+
+  /**
+   * Writes a document as the ending of the file asks for; returns what the file holds then.
+   *
+   * @throws UncheckedIOException if that failed; nothing is changed then
+   * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
+   */
+  static Optional<FileStamp> write(Path file, Document document, Progress progress) {
+    try {
+      if (keepsAll(file)) {
+        writeAll(file, document, progress);
+      } else {
+        PointFile.write(file, document.domain(), document.points(), progress);
+      }
+      return FileStamp.of(file);
+    } catch (CannotWriteException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static void writeAll(Path file, Document document, Progress progress)
+      throws CannotWriteException {
+    Optional<Result> result = document.result();
+    if (result.isPresent()) {
+      ResultJson.write(file, result.get().solution(), document.wishes(), progress);
+    } else {
+      ResultJson.write(file, document.domain(), document.points(), document.wishes(), progress);
+    }
+  }
+}

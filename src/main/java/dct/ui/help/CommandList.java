@@ -1,0 +1,119 @@
+package dct.ui.help;
+
+import dct.ui.command.EscapeKey;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Frame;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.ListSelectionModel;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.table.DefaultTableCellRenderer;
+
+/**
+ * Help ▸ Commands and Keys: everything that can be done, and how, by menu. A field above narrows it
+ * to the lines that hold some words. The window beside it can be used on.
+ */
+public final class CommandList extends JDialog {
+  private static final long serialVersionUID = 1L;
+  private static final int[] WIDTHS = {90, 250, 210, 470};
+  private static final int ROW = 24;
+
+  private final JTextField field = new JTextField(24);
+  private final CommandLinesModel model;
+
+  private CommandList(Frame owner, List<CommandLines> lines) {
+    super(owner, "Commands and Keys");
+    setName("commandList");
+    model = new CommandLinesModel(lines);
+    JPanel content = new JPanel(new BorderLayout(0, 8));
+    content.setBorder(BorderFactory.createEmptyBorder(10, 10, 10, 10));
+    content.add(search(), BorderLayout.NORTH);
+    JScrollPane scroll = new JScrollPane(table());
+    scroll.setPreferredSize(new Dimension(1020, 620));
+    content.add(scroll, BorderLayout.CENTER);
+    setContentPane(content);
+    setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+    EscapeKey.closes(this);
+    pack();
+    setLocationRelativeTo(owner);
+  }
+
+  /** Shows the list beside the window. */
+  static void show(Frame owner, List<CommandLines> lines) {
+    new CommandList(owner, lines).setVisible(true);
+  }
+
+  private JComponent search() {
+    JLabel label = new JLabel("Search:");
+    label.setDisplayedMnemonic('s');
+    label.setLabelFor(field);
+    field.setName("searchCommands");
+    field.setToolTipText("Shows the lines that hold all these words");
+    field.getDocument().addDocumentListener(new Typing());
+    JPanel line = new JPanel(new BorderLayout(8, 0));
+    line.add(label, BorderLayout.WEST);
+    line.add(field, BorderLayout.CENTER);
+    return line;
+  }
+
+  private JTable table() {
+    JTable table = new JTable(model);
+    table.setName("commands");
+    table.getAccessibleContext().setAccessibleName("Commands and keys");
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setRowHeight(ROW);
+    table.setDefaultRenderer(Object.class, new Cells());
+    for (int column = 0; column < WIDTHS.length; column++) {
+      table.getColumnModel().getColumn(column).setPreferredWidth(WIDTHS[column]);
+    }
+    return table;
+  }
+
+  /** A group is named in its first line; what does not fit in is shown under the mouse. */
+  private final class Cells extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      boolean repeated = column == 0 && !model.beginsGroup(row);
+      Object shown = repeated ? "" : value;
+      super.getTableCellRendererComponent(table, shown, selected, focused, row, column);
+      setFont(column == 0 ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      setToolTipText(String.valueOf(value));
+      return this;
+    }
+  }
+
+  private final class Typing implements DocumentListener {
+    private void search() {
+      model.search(field.getText());
+    }
+
+    @Override
+    public void insertUpdate(DocumentEvent e) {
+      search();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent e) {
+      search();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent e) {
+      // attributes of a plain text
+    }
+  }
+}

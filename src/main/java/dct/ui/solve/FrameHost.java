@@ -1,0 +1,169 @@
+package dct.ui.solve;
+
+import dct.core.geometry.Box;
+import dct.render.Viewport;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.dialog.Placement;
+import dct.ui.result.ResultView;
+import dct.ui.result.Tiling;
+import dct.ui.result.Tiling.Obstacle;
+import dct.ui.result.ViewHost;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dialog;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+
+/** Shows each view in a frame of its own, placed so that it covers as little as possible. */
+public final class FrameHost implements ViewHost {
+  private static final int WINDOW = 1; // how much a pixel of each matters
+  private static final int DRAWN = 2;
+  private static final int CONTROLS = 3;
+  private static final int VIEW = 4;
+
+  private final JFrame owner;
+  private final CanvasPanel canvas;
+  private final Map<ResultView, ResultFrame> frames = new LinkedHashMap<>();
+
+  /**
+   * Frames of a window; there are none yet.
+   *
+   * @param canvas the window's canvas
+   */
+  FrameHost(JFrame owner, CanvasPanel canvas) {
+    this.owner = owner;
+    this.canvas = canvas;
+  }
+
+  @Override
+  public void show(ResultView view, Optional<ResultView> beside) {
+    ResultFrame frame = frames.get(view);
+    if (frame == null) {
+      frame = new ResultFrame(view);
+      SwingUtilities.updateComponentTreeUI(frame); // the look may have changed while it was away
+      frames.put(view, frame);
+      frame.pack();
+      place(frame, beside.map(frames::get).filter(ResultFrame::isShowing));
+    }
+    frame.setVisible(true);
+  }
+
+  private void place(ResultFrame frame, Optional<ResultFrame> beside) {
+    Rectangle screen = Placement.usable(owner);
+    if (beside.isPresent()) {
+      placeBeside(frame, beside.get(), screen);
+    } else {
+      Dimension size = Tiling.size(frame.getSize(), 1, screen);
+      frame.setBounds(Tiling.place(size, screen, obstacles(frame)));
+    }
+  }
+
+  private void placeBeside(ResultFrame frame, ResultFrame other, Rectangle screen) {
+    Rectangle old = other.getBounds();
+    Tiling.Pair pair = Tiling.pair(old, screen);
+    Rectangle free = Tiling.place(old.getSize(), screen, obstacles(frame));
+    if (pair.first().equals(old) || free.intersects(old)) {
+      other.setBounds(pair.first());
+      frame.setBounds(pair.second());
+    } else {
+      frame.setBounds(free);
+    }
+    other.toFront();
+  }
+
+  @Override
+  public void showAll(List<ResultView> views) {
+    Rectangle screen = Placement.usable(owner);
+    for (ResultView view : views) {
+      ResultFrame frame = new ResultFrame(view);
+      frames.put(view, frame);
+      frame.pack();
+      Dimension size = Tiling.size(frame.getSize(), views.size(), screen);
+      frame.setBounds(Tiling.place(size, screen, obstacles(frame)));
+      frame.setVisible(true);
+    }
+  }
+
+  private List<Obstacle> obstacles(Window without) {
+    List<Obstacle> obstacles = new ArrayList<>();
+    for (Window window : Window.getWindows()) {
+      if (window.isShowing() && window != without) {
+        obstacles.add(new Obstacle(window.getBounds(), weight(window)));
+      }
+    }
+    controls().forEach(part -> obstacles.add(new Obstacle(onScreen(part), CONTROLS)));
+    drawn().ifPresent(box -> obstacles.add(new Obstacle(box, DRAWN)));
+    return obstacles;
+  }
+
+  private static int weight(Window window) {
+    if (window instanceof ResultFrame) {
+      return VIEW;
+    }
+    return window instanceof Dialog ? CONTROLS : WINDOW;
+  }
+
+  private List<Component> controls() {
+    List<Component> controls = new ArrayList<>();
+    controls.add(owner.getJMenuBar());
+    if (owner.getContentPane().getLayout() instanceof BorderLayout layout) {
+      controls.add(layout.getLayoutComponent(BorderLayout.EAST));
+    }
+    return controls.stream().filter(part -> part != null && part.isShowing()).toList();
+  }
+
+  private static Rectangle onScreen(Component part) {
+    return new Rectangle(part.getLocationOnScreen(), part.getSize());
+  }
+
+  /** Where the points are drawn. */
+  private Optional<Rectangle> drawn() {
+    return canvas.scene().bounds().filter(box -> canvas.isShowing()).map(this::drawn);
+  }
+
+  private Rectangle drawn(Box box) {
+    Viewport view = canvas.viewport();
+    Rectangle drawn = new Rectangle(corner(view, box.minX(), box.minY()));
+    drawn.add(corner(view, box.maxX(), box.maxY()));
+    Rectangle seen = drawn.intersection(new Rectangle(canvas.getSize()));
+    Point at = canvas.getLocationOnScreen();
+    seen.translate(at.x, at.y);
+    return seen;
+  }
+
+  private static Point corner(Viewport view, double x, double y) {
+    return new Point((int) view.screenX(x), (int) view.screenY(y));
+  }
+
+  @Override
+  public void hide(ResultView view) {
+    Optional.ofNullable(frames.get(view)).ifPresent(frame -> frame.setVisible(false));
+  }
+
+  @Override
+  public void release(ResultView view) {
+    Optional.ofNullable(frames.remove(view)).ifPresent(ResultFrame::dispose);
+  }
+
+  @Override
+  public boolean isShown(ResultView view) {
+    return Optional.ofNullable(frames.get(view)).filter(ResultFrame::isVisible).isPresent();
+  }
+
+  @Override
+  public void toFront(ResultView view) {
+    ResultFrame frame = frames.get(view);
+    frame.setVisible(true);
+    frame.toFront();
+    view.canvas().requestFocusInWindow();
+  }
+}

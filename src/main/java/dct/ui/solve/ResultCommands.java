@@ -1,0 +1,44 @@
+package dct.ui.solve;
+
+import dct.ui.dialog.Ask;
+import dct.ui.document.Result;
+import dct.ui.explain.Explainer;
+import dct.ui.file.FileCommands;
+import dct.ui.file.PictureExport;
+import dct.ui.job.Jobs;
+import dct.ui.menu.ViewCommands;
+import dct.ui.result.ResultView;
+import javax.swing.SwingUtilities;
+
+/** The commands of a view of a result. */
+public final class ResultCommands {
+
+  private ResultCommands() {}
+
+  /**
+   * Offers the commands of a view.
+   *
+   * @param jobs write pictures in the background
+   */
+  static void offer(ResultView view, Jobs jobs) {
+    view.commands()
+        .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs));
+    view.commands().add("Close", "ctrl W", "Closes this view", view::close);
+    ViewCommands.offer(view.commands(), view.canvas());
+    Explainer explainer =
+        new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
+    explainer.offer(view.commands());
+    view.addListener(explainer::refresh);
+  }
+
+  /** There is no status line to say that it is done. */
+  private static void export(ResultView view, Jobs jobs) {
+    String name = PictureExport.fileName(view.document()) + " " + view.method();
+    PictureExport.ask(
+        view,
+        view.canvas(),
+        name,
+        jobs,
+        done -> SwingUtilities.invokeLater(() -> Ask.tell(view, "Export Picture", done + ".")));
+  }
+}

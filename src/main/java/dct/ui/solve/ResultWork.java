@@ -1,0 +1,190 @@
+package dct.ui.solve;
+
+import dct.core.Progress;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.SearchLimits;
+import dct.core.triangulate.Domain;
+import dct.problem.Method;
+import dct.problem.Solution;
+import dct.ui.document.Document;
+import dct.ui.document.Edit;
+import dct.ui.document.Editor;
+import dct.ui.document.Result;
+import dct.ui.workbench.Workbench;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.function.Supplier;
+
+/**
+ * Makes results of the document: triangulations, flips and optima. Each becomes a step of the
+ * history. Polygons are triangulated first if they have to be, by the method chosen last.
+ */
+public final class ResultWork {
+  private static final String FLIP = "Perform Flip";
+
+  private final Workbench workbench;
+  private final Consumer<Late> late;
+  private final Supplier<SearchLimits> limits;
+  private Method method = Method.byDefault(Domain.POLYGON);
+  private int views = Result.OPENED;
+
+  /**
+   * A result of points that have changed while it was made.
+   *
+   * @param result the result
+   * @param name of the document
+   */
+  public record Late(Result result, String name) {}
+
+  /**
+   * Work on the documents of a workbench.
+   *
+   * @param late is given what comes too late to become a step
+   * @param limits what searches are given
+   */
+  public ResultWork(Workbench workbench, Consumer<Late> late, Supplier<SearchLimits> limits) {
+    this.workbench = workbench;
+    this.late = late;
+    this.limits = limits;
+  }
+
+  /** Triangulates the polygon by this method. */
+  void triangulate(Method chosen) {
+    method = chosen;
+    Editor editor = workbench.editor(Domain.POLYGON);
+    Document document = editor.document();
+    String name = editor.name();
+    submit(
+        editor,
+        chosen.title(),
+        chosen.title(),
+        progress -> Solution.of(document.instance(name, progress), chosen, progress));
+  }
+
+  /** Goes back to the points alone: a polygon without diagonals, or Delaunay sites. */
+  void dropResult(String label) {
+    workbench
+        .active()
+        .ifPresent(
+            editor -> editor.perform(Edit.result(label, editor.document(), Optional.empty())));
+  }
+
+  /** Whether there is anything to go back from. */
+  boolean hasResult() {
+    return workbench.active().flatMap(editor -> editor.document().result()).isPresent();
+  }
+
+  /** Runs Scan-Flip on the triangulation shown, or the polygon's most recent one. */
+  void flip() {
+    workbench.active().ifPresent(this::flip);
+  }
+
+  private void flip(Editor editor) {
+    String title = editor.domain() == Domain.SITES ? FLIP : FLIP + " after " + before(editor);
+    start(editor, "flip")
+        .ifPresent(
+            start ->
+                submit(editor, FLIP, title, progress -> start.apply(progress).flipped(progress)));
+  }
+
+  private String before(Editor editor) {
+    return editor
+        .document()
+        .result()
+        .map(
+            made ->
+                made.solution().flips().isEmpty() ? made.title() : made.solution().method().title())
+        .orElse(method.title());
+  }
+
+  /**
+   * Finds the triangulation in which the most vertices have the parity wished, or the best found on
+   * Cancel.
+   *
+   * @param what what is being done, for a person to read
+   * @param goal the wishes for n vertices
+   */
+  void optimize(String what, IntFunction<ParityGoal> goal) {
+    workbench.active().ifPresent(editor -> optimize(editor, what, goal));
+  }
+
+  private void optimize(Editor editor, String what, IntFunction<ParityGoal> goal) {
+    Optional<Function<Progress, Solution>> start = start(editor, "improve");
+    if (start.isPresent()) {
+      SearchLimits given = limits.get();
+      Function<Progress, Solution> search =
+          progress -> {
+            Solution before = start.get().apply(progress);
+            return before.wishing(goal.apply(before.instance().size())).optimized(given, progress);
+          };
+      Document document = editor.document();
+      int view = view(editor);
+      workbench
+          .jobs()
+          .submitSearch(
+              what, timed(search, view, what), result -> accept(editor, what, document, result));
+    }
+  }
+
+  /** What to begin with; says so and gives nothing if sites have no triangulation. */
+  private Optional<Function<Progress, Solution>> start(Editor editor, String toDo) {
+    Document document = editor.document();
+    if (editor.domain() == Domain.POLYGON) {
+      Method by = method;
+      String name = editor.name();
+      return Optional.of(
+          progress ->
+              document
+                  .result()
+                  .map(Result::solution)
+                  .orElseGet(() -> Solution.of(document.instance(name, progress), by, progress)));
+    }
+    Optional<Solution> shown = editor.shown().solution();
+    if (!editor.shown().isWhole() || !editor.shown().document().equals(document)) {
+      workbench.say("The sites are still being triangulated; try again when that is done");
+      return Optional.empty();
+    }
+    if (shown.isEmpty()) {
+      workbench.say(
+          "There is no triangulation to "
+              + toDo
+              + " yet; draw three sites or more, not all on one line");
+    }
+    return shown.map(solution -> progress -> solution);
+  }
+
+  private void submit(
+      Editor editor, String label, String title, Function<Progress, Solution> work) {
+    Document document = editor.document();
+    int view = view(editor);
+    workbench
+        .jobs()
+        .submit(label, timed(work, view, title), result -> accept(editor, label, document, result));
+  }
+
+  /** Work that says how long it took. */
+  private static Function<Progress, Result> timed(
+      Function<Progress, Solution> work, int view, String title) {
+    return progress -> {
+      long start = System.nanoTime();
+      Solution made = work.apply(progress);
+      Duration time = Duration.ofNanos(System.nanoTime() - start);
+      return Result.of(view, title, made).taking(time);
+    };
+  }
+
+  /** Sites are shown in the canvas, each result of a polygon in a view of its own. */
+  private int view(Editor editor) {
+    return editor.domain() == Domain.SITES ? Result.CANVAS : ++views;
+  }
+
+  private void accept(Editor editor, String label, Document of, Result result) {
+    if (!editor.accept(label, of, result)) {
+      workbench.say(label + " is of an older state; it is shown in a window of its own");
+      late.accept(new Late(result, editor.name()));
+    }
+  }
+}
