@@ -3,6 +3,7 @@ package dct.render;
 import dct.core.geometry.Box;
 import dct.render.Pen.Anchor;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Lines of text in a corner of a picture, on a ground of their own so that they stay legible. */
 public final class Caption {
@@ -33,6 +34,21 @@ public final class Caption {
   /** The height of so many lines; nothing for none. */
   static double height(int lines) {
     return lines == 0 ? 0 : LEADING * lines + PADDING;
+  }
+
+  /** The lines, those that are wider than the screen cut at spaces into several. */
+  static List<String> folded(List<String> lines, Box screen) {
+    int longest = (int) ((2 * room(screen).halfWidth() - 2 * PADDING) / ADVANCE);
+    return lines.stream().flatMap(line -> folded(line, longest)).toList();
+  }
+
+  private static Stream<String> folded(String line, int longest) {
+    int space = line.length() > longest && longest > 0 ? line.lastIndexOf(' ', longest) : -1;
+    if (space <= 0) {
+      return Stream.of(line);
+    }
+    return Stream.concat(
+        Stream.of(line.substring(0, space)), folded(line.substring(space + 1), longest));
   }
 
   /** Writes the lines below each other into a corner; nothing if there are none. */

@@ -104,8 +104,14 @@ public final class ScenePainter {
    * counts and with a margin on each side; actual size if there are no vertices.
    */
   public static Viewport fitted(Scene scene, double width, double height, boolean yUp) {
+    return fitted(scene, 0, width, height, yUp);
+  }
+
+  /** The same, with room for so many lines of counts at least. */
+  static Viewport fitted(Scene scene, int least, double width, double height, boolean yUp) {
+    int lines = Caption.folded(scene.counts(), new Box(0, 0, width, height)).size();
     double top =
-        Math.max(FIT_MARGIN, Caption.MARGIN + Caption.height(scene.counts().size()) + FIT_GAP);
+        Math.max(FIT_MARGIN, Caption.MARGIN + Caption.height(Math.max(least, lines)) + FIT_GAP);
     double lower = top - FIT_MARGIN;
     return scene
         .bounds()

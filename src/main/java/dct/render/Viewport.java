@@ -83,6 +83,17 @@ public final class Viewport {
     return atY + (yUp ? scale * (y - modelY) : scale * (modelY - y));
   }
 
+  /** Where a box of the model is on the screen. */
+  Box screenBox(Box model) {
+    double oneY = screenY(model.minY());
+    double otherY = screenY(model.maxY());
+    return new Box(
+        screenX(model.minX()),
+        Math.min(oneY, otherY),
+        screenX(model.maxX()),
+        Math.max(oneY, otherY));
+  }
+
   /** The model's x of a screen x. */
   public double modelX(double screenX) {
     return x + (screenX - atX) / scale;

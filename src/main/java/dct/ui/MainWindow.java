@@ -219,6 +219,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
         });
     new ToolMouse(canvas, workbench::tool, workbench, this::mouseAt);
     canvas.setDescription(() -> CanvasWords.of(workbench.active()));
+    canvas.setAside(status::setAside);
     canvas.addViewListener(() -> status.setZoom(canvas.viewport().scale()));
     workbench.addListener(this::refresh);
     workbench.flips().addListener(this::refresh);

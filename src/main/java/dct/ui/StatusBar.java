@@ -21,6 +21,7 @@ final class StatusBar extends JPanel {
   private static final int PATIENCE_MILLIS = 150;
 
   private final JLabel message = new JLabel(" ");
+  private final JLabel aside = new JLabel();
   private final JLabel snap = new JLabel();
   private final JLabel zoom = new JLabel();
   private final JLabel work = new JLabel();
@@ -53,6 +54,9 @@ final class StatusBar extends JPanel {
     running.add(stop);
     JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
     right.add(running);
+    aside.setName("aside");
+    aside.getAccessibleContext().setAccessibleDescription("What has no room on the canvas");
+    right.add(aside);
     snap.setName("snap");
     right.add(snap);
     right.add(zoom);
@@ -60,6 +64,8 @@ final class StatusBar extends JPanel {
     add(right, BorderLayout.EAST);
     // The canvas above keeps its size when the progress comes and goes.
     setPreferredSize(new Dimension(0, getPreferredSize().height));
+    setAside("");
+    setSnap("");
     running.setVisible(false);
     patience = new Timer(PATIENCE_MILLIS, e -> running.setVisible(true));
     patience.setRepeats(false);
@@ -90,9 +96,20 @@ final class StatusBar extends JPanel {
     show(text);
   }
 
+  /** Shows what has no room on the canvas. */
+  void setAside(String words) {
+    show(aside, words);
+  }
+
   /** Shows what places snap to. */
   void setSnap(String words) {
-    snap.setText(words);
+    show(snap, words);
+  }
+
+  /** Empty labels would leave gaps. */
+  private static void show(JLabel label, String words) {
+    label.setText(words);
+    label.setVisible(!words.isEmpty());
   }
 
   /** Shows the scale of the canvas. */

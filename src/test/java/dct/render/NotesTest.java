@@ -15,6 +15,7 @@ import dct.core.triangulate.Delaunay;
 import dct.experiment.generate.RandomSites;
 import dct.render.RecordingPen.Shape;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -61,13 +62,14 @@ class NotesTest {
   }
 
   @Test
-  void noTwoNotesShareACorner() {
-    for (long seed = 0; seed < 100; seed++) {
-      Scene crowd = delaunay(RandomSites.uniform(40, seed));
-      Notes notes = placed(Notes.at(true), crowd);
-      assertThat(List.of(notes.counts(), notes.coordinates(), notes.key()))
-          .as("seed %d", seed)
-          .doesNotHaveDuplicates();
+  void noTwoNotesOverlapAndNoneCoversAVertex() {
+    for (long seed = 0; seed < 200; seed++) {
+      Scene crowd = delaunay(RandomSites.uniform(5 + (int) seed, seed));
+      List<Box> grounds = grounds(placed(Notes.at(true), crowd), crowd);
+      for (Box box : grounds) {
+        assertThat(crowd.verticesIn(Viewport.IDENTITY, box, 1)).as("seed %d", seed).isZero();
+        assertThat(grounds.stream().filter(box::meets)).as("seed %d", seed).hasSize(1);
+      }
     }
   }
 
@@ -83,17 +85,54 @@ class NotesTest {
   }
 
   @Test
-  void amongManyVerticesOnlyAMuchEmptierCornerIsWorthAMove() {
+  void amongManyVerticesTheWordsAreAside() {
+    Scene crowd = delaunay(RandomSites.uniform(5000, 1)).prepared();
+    Notes notes = placed(Notes.at(true), crowd);
+    assertThat(notes.aside(crowd, "x 1   y 2"))
+        .containsExactly("x 1   y 2", crowd.counts().get(0), "No room for the legend (F fits)");
+    assertThat(painted(notes, crowd, "x 1   y 2").shapes).isEmpty();
+    assertThat(THESIS.haveRoom(crowd, Viewport.IDENTITY, SCREEN)).isFalse();
+  }
+
+  @Test
+  void wordsThatWereAsideComeBackOnceThereIsMoreRoomThanTheyNeed() {
+    Points corners = Points.ofPairs(990, 20, 20, 20, 20, 690, 990, 690, 500, 300);
+    Notes away = placed(THESIS, delaunay(corners));
+    assertThat(away.aside(delaunay(corners), "")).hasSize(1);
+    Points nearly = Points.ofPairs(990, 41, 20, 20, 20, 690, 990, 690, 500, 300);
+    assertThat(placed(THESIS, delaunay(nearly)).aside(delaunay(nearly), "")).isEmpty();
+    assertThat(placed(away, delaunay(nearly)).aside(delaunay(nearly), "")).hasSize(1);
+    Points clear = Points.ofPairs(990, 60, 20, 20, 20, 690, 990, 690, 500, 300);
+    assertThat(placed(away, delaunay(clear)).aside(delaunay(clear), "")).isEmpty();
+  }
+
+  @Test
+  void aFittedCrowdLeavesRoomForCountsAndCoordinatesEvenBeforeItIsSorted() {
     Scene crowd = delaunay(RandomSites.uniform(5000, 1));
-    crowd.verticesIn(Viewport.IDENTITY, SCREEN, 1); // sorts them
-    assertThat(placed(THESIS, crowd)).isEqualTo(THESIS);
+    assertThat(THESIS.haveRoom(crowd, Viewport.IDENTITY, SCREEN)).isFalse();
+    assertThat(THESIS.haveRoom(crowd, THESIS.fittedForFlips(crowd, 1000, 700, false), SCREEN))
+        .isTrue();
+    assertThat(crowd.isPrepared()).isFalse();
+  }
+
+  @Test
+  void countsThatAreWiderThanThePictureAreFolded() {
+    Scene scene = Scene.of(Fixtures.flippedPentagon());
+    Box narrow = new Box(0, 0, 150, 400);
+    RecordingPen pen = new RecordingPen();
+    THESIS
+        .placed(scene, THESIS.fitted(scene, 150, 400, false), narrow)
+        .paint(scene, narrow, pen, "");
+    assertThat(String.join(" ", pen.texts())).isEqualTo(String.join(" ", scene.counts()));
+    assertThat(pen.texts()).hasSizeGreaterThan(scene.counts().size());
+    assertThat(pen.texts()).allSatisfy(text -> assertThat(text.length()).isLessThan(16));
   }
 
   @ParameterizedTest
   @EnumSource(Corner.class)
   void notesAreWithinThePicture(Corner corner) {
     Scene scene = Scene.of(Fixtures.flippedPentagon());
-    Notes notes = new Notes(true, corner, corner, corner);
+    Notes notes = new Notes(true, corner, corner, corner, Set.of());
     assertThat(painted(notes, scene, "x 1   y 2").shapes)
         .allSatisfy(s -> assertThat(SCREEN.grown(-5).holds(s.x(), s.y())).as("%s", s).isTrue());
   }
@@ -143,20 +182,26 @@ class NotesTest {
     Notes notes = Notes.at(true);
     Viewport view = notes.fitted(scene, 1000, 700, yUp);
     Notes placed = notes.placed(scene, view, SCREEN);
-    List<Shape> grounds =
-        painted(placed, scene, "x 1   y 2").shapes.stream()
-            .filter(s -> s.kind().equals("rectangle"))
-            .toList();
+    List<Box> grounds = grounds(placed, scene);
     assertThat(grounds).hasSize(3);
-    for (Shape ground : grounds) {
-      String[] size = ground.text().split(" ", -1);
-      Box box =
-          new Box(
-              ground.x(),
-              ground.y(),
-              ground.x() + Double.parseDouble(size[0]),
-              ground.y() + Double.parseDouble(size[1]));
+    for (Box box : grounds) {
       assertThat(scene.verticesIn(view, box.grown(5), 10)).as("%s", box).isZero();
     }
+  }
+
+  private static List<Box> grounds(Notes notes, Scene scene) {
+    return painted(notes, scene, "x 1   y 2").shapes.stream()
+        .filter(s -> s.kind().equals("rectangle"))
+        .map(NotesTest::box)
+        .toList();
+  }
+
+  private static Box box(Shape ground) {
+    String[] size = ground.text().split(" ", -1);
+    return new Box(
+        ground.x(),
+        ground.y(),
+        ground.x() + Double.parseDouble(size[0]),
+        ground.y() + Double.parseDouble(size[1]));
   }
 }

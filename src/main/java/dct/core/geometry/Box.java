@@ -85,6 +85,11 @@ public record Box(double minX, double minY, double maxX, double maxY) {
         && Math.min(y1, y2) <= maxY;
   }
 
+  /** Whether the boxes have a point in common, their borders included. */
+  public boolean meets(Box other) {
+    return mayMeet(other.minX, other.minY, other.maxX, other.maxY);
+  }
+
   /** Whether this box holds the point, its border included. */
   public boolean holds(double x, double y) {
     return x >= minX && x <= maxX && y >= minY && y <= maxY;

@@ -23,6 +23,7 @@ import java.util.function.Supplier;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 
 /**
  * Shows a scene through a viewport, and over it what a tool draws and where the mouse is. It knows
@@ -46,6 +47,8 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private String corner = "";
   private transient Notes notes = Notes.at(false);
   private transient View noted; // the picture that the notes were placed in; null before the first
+  private transient Consumer<String> aside = words -> {};
+  private String told = ""; // aside
   private double grid; // its size, or 0
 
   /** An empty canvas in actual size. */
@@ -159,8 +162,12 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
 
   /** Shows or hides the legend. */
   public void setLegend(boolean shown) {
+    boolean all = isAllInSight();
     notes = notes.withLegend(shown);
     noted = null;
+    if (shown && all && !haveNotesRoom(viewport)) {
+      fit();
+    }
     repaint();
   }
 
@@ -174,6 +181,14 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     return notes;
   }
 
+  /**
+   * Says who shows the words that have no room on the canvas beside the vertices; is told of
+   * changes, of no words if all have room again.
+   */
+  public void setAside(Consumer<String> listener) {
+    aside = listener;
+  }
+
   /** Puts a component into the middle: what to do with a canvas that shows nothing. */
   public void setInvitation(JComponent invitation) {
     add(invitation);
@@ -181,7 +196,18 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
 
   /** Shows the whole scene as large as it fits. */
   public void fit() {
-    setViewport(notes.fitted(scene, getWidth(), getHeight(), viewport.yUp()));
+    notes = Notes.at(notes.legend());
+    setViewport(fitted(scene, viewport.yUp()));
+  }
+
+  /** The viewport that shows a whole scene as large as it fits here beside its notes. */
+  Viewport fitted(Scene whole, boolean yUp) {
+    return notes.fittedForFlips(whole, getWidth(), getHeight(), yUp);
+  }
+
+  private boolean haveNotesRoom(Viewport view) {
+    Box screen = new Box(0, 0, getWidth(), getHeight());
+    return Notes.at(notes.legend()).haveRoom(scene, view, screen);
   }
 
   /** One model unit a pixel, the origin in the corner: the thesis's canvas. */
@@ -193,12 +219,15 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   }
 
   /**
-   * Shows the scene in actual size if all of it is in sight then and not too small to see, and
-   * fitted otherwise.
+   * Shows the scene in actual size if all of it is in sight then, not too small to see and not in
+   * the way of the notes, and fitted otherwise.
    */
   public void showWell() {
     Box canvas = new Box(0, 0, getWidth() - 1.0, getHeight() - 1.0);
-    boolean suits = !viewport.yUp() && scene.bounds().map(canvas::suits).orElse(true);
+    boolean suits =
+        !viewport.yUp()
+            && scene.bounds().map(canvas::suits).orElse(true)
+            && haveNotesRoom(Viewport.IDENTITY);
     if (suits) {
       showActualSize();
     } else {
@@ -254,8 +283,17 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     GraphicsPen pen = new GraphicsPen(graphics, theme());
     MarkPainter.paint(marks, scene, viewport, screen, pen);
     notes.paint(scene, screen, pen, corner);
+    tellAside(String.join("   ", notes.aside(scene, corner)));
     overlays.forEach(overlay -> overlay.accept(pen));
     graphics.dispose();
+  }
+
+  /** Other components change after the painting, not within it. */
+  private void tellAside(String words) {
+    if (!words.equals(told)) {
+      told = words;
+      SwingUtilities.invokeLater(() -> aside.accept(words));
+    }
   }
 
   private static double scaleOf(Graphics2D graphics) {

@@ -2,7 +2,6 @@ package dct.ui.canvas;
 
 import dct.core.geometry.Points;
 import dct.render.Scene;
-import dct.render.ScenePainter;
 import dct.render.Viewport;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -179,7 +178,7 @@ public final class Links {
     }
 
     Viewport fitted(Scene scene, boolean yUp) {
-      return ScenePainter.fitted(scene, canvas.getWidth(), canvas.getHeight(), yUp);
+      return canvas.fitted(scene, yUp);
     }
 
     /** Shows the part that another shows. */

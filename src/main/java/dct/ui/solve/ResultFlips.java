@@ -73,10 +73,16 @@ public final class ResultFlips implements FlipSource, ToolContext {
   private void layOut() {
     status.setName("status");
     status.getAccessibleContext().setAccessibleName("Status");
-    status.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    JLabel aside = new JLabel();
+    aside.setName("aside");
+    view.canvas().setAside(aside::setText);
+    JPanel line = new JPanel(new BorderLayout(12, 0));
+    line.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    line.add(status, BorderLayout.CENTER);
+    line.add(aside, BorderLayout.EAST);
     JPanel below = new JPanel(new BorderLayout());
     below.add(commands.panel(), BorderLayout.CENTER);
-    below.add(status, BorderLayout.SOUTH);
+    below.add(line, BorderLayout.SOUTH);
     view.addBelow(below);
   }
 
