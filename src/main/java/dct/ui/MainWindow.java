@@ -144,7 +144,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     ModeCommands.offer(commands, workbench);
     EditCommands.offer(commands, workbench);
     SelectionCommands.offer(commands, workbench);
-    SnapCommands.offer(commands, this, workbench.snap());
+    SnapCommands.offer(commands, this, workbench.snap(), session.settings());
     crossings.offer(commands);
     FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);
     CallCopy calls = new CallCopy(this, workbench);

@@ -242,6 +242,7 @@ class SessionWindowTest extends WindowTest {
         });
     type(KeyEvent.VK_N);
     type(KeyEvent.VK_U);
+    type(KeyEvent.VK_F9);
     type(KeyEvent.VK_D, KeyEvent.VK_CONTROL);
     try {
       menuForDialog("File", "Exit");
@@ -253,6 +254,8 @@ class SessionWindowTest extends WindowTest {
       MainWindow again = onEventThread(() -> new Windows(next).openWindow());
       assertThat(onEventThread(() -> again.canvas().labels().numbers())).isTrue();
       assertThat(onEventThread(() -> again.canvas().viewport().yUp())).isTrue();
+      assertThat(onEventThread(() -> again.workbench().snap().words()))
+          .isEqualTo("Snap: angles 15°");
       assertThat(onEventThread(() -> again.getSize())).isEqualTo(new java.awt.Dimension(900, 650));
     } finally {
       onEventThread(

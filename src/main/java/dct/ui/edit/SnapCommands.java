@@ -3,6 +3,7 @@ package dct.ui.edit;
 import dct.core.Decimals;
 import dct.ui.command.CommandRegistry;
 import dct.ui.dialog.Ask;
+import dct.ui.session.Settings;
 import dct.ui.tool.Snap;
 import java.awt.Component;
 import java.awt.GridLayout;
@@ -19,15 +20,19 @@ public final class SnapCommands {
 
   private final Component parent;
   private final Snap snap;
+  private final Settings settings;
 
-  private SnapCommands(Component parent, Snap snap) {
+  private SnapCommands(Component parent, Snap snap, Settings settings) {
     this.parent = parent;
     this.snap = snap;
+    this.settings = settings;
   }
 
-  /** Offers the commands. */
-  public static void offer(CommandRegistry commands, Component parent, Snap snap) {
-    SnapCommands offered = new SnapCommands(parent, snap);
+  /** Sets what was set in the run before, and offers the commands. */
+  public static void offer(
+      CommandRegistry commands, Component parent, Snap snap, Settings settings) {
+    SnapMemory.restore(snap, settings);
+    SnapCommands offered = new SnapCommands(parent, snap, settings);
     offered.toggle(
         commands,
         "Snap to Vertices",
@@ -53,7 +58,12 @@ public final class SnapCommands {
 
   private void toggle(
       CommandRegistry commands, String name, String key, String description, Snap.To to) {
-    commands.add(name, key, description, () -> snap.toggle(to)).selectedWhen(() -> snap.isOn(to));
+    commands.add(name, key, description, () -> toggle(to)).selectedWhen(() -> snap.isOn(to));
+  }
+
+  private void toggle(Snap.To to) {
+    snap.toggle(to);
+    SnapMemory.remember(snap, settings);
   }
 
   private void ask() {
@@ -74,6 +84,7 @@ public final class SnapCommands {
       } else {
         snap.setGrid(size.getAsDouble());
         snap.setAngle(degrees.getAsDouble());
+        SnapMemory.remember(snap, settings);
         return;
       }
     }

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Properties;
 import java.util.TreeMap;
@@ -57,6 +58,16 @@ public final class Settings {
       return OptionalInt.of(Integer.parseInt(values.getOrDefault(name, "")));
     } catch (NumberFormatException e) {
       return OptionalInt.empty();
+    }
+  }
+
+  /** The number that is set under this name, if it is one and finite. */
+  public OptionalDouble decimal(String name) {
+    try {
+      double number = Double.parseDouble(values.getOrDefault(name, ""));
+      return Double.isFinite(number) ? OptionalDouble.of(number) : OptionalDouble.empty();
+    } catch (NumberFormatException e) {
+      return OptionalDouble.empty();
     }
   }
 

@@ -27,6 +27,8 @@ class SettingsTest {
     Settings settings = settings();
     settings.put("a.word", " C:\\new\\test = #1\nü ");
     settings.put("a.number", -17);
+    settings.put("a.decimal", 0.1);
+    settings.put("endless", "NaN");
     settings.put("gone", true);
     settings.remove("gone");
     lane.await();
@@ -34,6 +36,9 @@ class SettingsTest {
     assertThat(again.get("a.word")).contains(" C:\\new\\test = #1\nü ");
     assertThat(again.number("a.number")).hasValue(-17);
     assertThat(again.number("a.word")).isEmpty();
+    assertThat(again.decimal("a.decimal")).hasValue(0.1);
+    assertThat(again.decimal("endless")).isEmpty();
+    assertThat(again.decimal("a.word")).isEmpty();
     assertThat(again.isOn("gone")).isFalse();
   }
 
