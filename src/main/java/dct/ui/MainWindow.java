@@ -410,7 +410,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     public void failed(String what, Throwable cause) {
       // A dialog waits for its answer; the queue must not wait with it.
       SwingUtilities.invokeLater(
-          () -> new Failures(MainWindow.this, crossings::goTo).show(what, cause));
+          () -> new Failures(MainWindow.this, crossings.remedies()).show(what, cause));
     }
   }
 }

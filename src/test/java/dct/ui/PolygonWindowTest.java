@@ -231,6 +231,34 @@ class PolygonWindowTest extends WindowTest {
   }
 
   @Test
+  void theCrossingShownHasAMarkUntilThePolygonIsEdited() {
+    draw(100, 100, 500, 400, 500, 100, 100, 400);
+    frame.button("Monotone Polygon Triangulation").click();
+    answer(dialog(), "Show Me");
+    double reach = 17 / onEventThread(() -> canvas().viewport().scale());
+    requireInk(canvas(), Ink.HIGHLIGHT, 300 + reach, 250);
+    requireInk(canvas(), Ink.HIGHLIGHT, 300, 250 - reach);
+    check("Split Vertex");
+    clickAt(200, 175);
+    requireInk(canvas(), Ink.INSIDE, 300 + reach, 250);
+  }
+
+  @Test
+  void thePolygonIsUntangledOrUsedAsSitesFromTheDialogThatAsksForASimpleOne() {
+    draw(100, 100, 500, 400, 500, 100, 100, 400);
+    frame.button("Monotone Polygon Triangulation").click();
+    answer(dialog(), "Use as Sites");
+    frame.radioButton("Point Sites Based").requireSelected();
+    assertThat(points().size()).isEqualTo(4);
+    choose("Polygon Based");
+    frame.button("Monotone Polygon Triangulation").click();
+    answer(dialog(), "Untangle");
+    assertThat(onEventThread(() -> window.workbench().active().orElseThrow().shown().defects()))
+        .isEmpty();
+    pushForResult("Monotone Polygon Triangulation");
+  }
+
+  @Test
   void twoVerticesAreNoPolygonYet() {
     draw(100, 100, 500, 400);
     frame.button("Perform Flip").click();

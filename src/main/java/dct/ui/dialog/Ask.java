@@ -1,6 +1,8 @@
 package dct.ui.dialog;
 
 import java.awt.Component;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 
@@ -46,10 +48,18 @@ public final class Ask {
     return choose(parent, title, question, 1, yes, "Cancel") == 0;
   }
 
-  /** Says that something is wrong, and offers to do something about it. */
-  public static boolean offer(Component parent, String title, String sentence, String yes) {
-    Pane pane = new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, yes, "Close");
-    return chosen(parent, title, pane, yes, "Close") == 0;
+  /**
+   * Says that something is wrong, and offers what can be done about it, or to close the message.
+   *
+   * @return the number of the remedy chosen
+   */
+  public static OptionalInt offer(
+      Component parent, String title, String sentence, String... remedies) {
+    String[] answers =
+        Stream.concat(Stream.of(remedies), Stream.of("Close")).toArray(String[]::new);
+    Pane pane = new Pane(sentence, JOptionPane.ERROR_MESSAGE, 0, (Object[]) answers);
+    int chosen = chosen(parent, title, pane, answers);
+    return chosen < 0 || chosen == remedies.length ? OptionalInt.empty() : OptionalInt.of(chosen);
   }
 
   /**

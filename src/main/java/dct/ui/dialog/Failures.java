@@ -7,21 +7,30 @@ import dct.io.BadInputException;
 import java.awt.Component;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Consumer;
 
 /** Says in one sentence why a job failed. */
 public final class Failures {
   private final Component parent;
-  private final Consumer<Defect> goTo;
+  private final List<Remedy> remedies;
+
+  /**
+   * What can be done about a polygon that is not simple.
+   *
+   * @param name what a button says
+   * @param action what it does about a defect
+   */
+  public record Remedy(String name, Consumer<Defect> action) {}
 
   /**
    * Failures shown over a window.
    *
-   * @param goTo shows the place of a defect
+   * @param remedies are offered where a polygon is not simple
    */
-  public Failures(Component parent, Consumer<Defect> goTo) {
+  public Failures(Component parent, List<Remedy> remedies) {
     this.parent = parent;
-    this.goTo = goTo;
+    this.remedies = List.copyOf(remedies);
   }
 
   /** Shows one dialog. */
@@ -47,8 +56,10 @@ public final class Failures {
     String sentence = "The polygon is not simple: " + defect.message() + ".";
     if (!hasPlace) {
       Ask.sorry(parent, what, "There is no polygon to triangulate: " + defect.message() + ".");
-    } else if (Ask.offer(parent, what, sentence, "Show Me")) {
-      goTo.accept(defect);
+    } else {
+      String[] names = remedies.stream().map(Remedy::name).toArray(String[]::new);
+      Ask.offer(parent, what, sentence, names)
+          .ifPresent(chosen -> remedies.get(chosen).action().accept(defect));
     }
   }
 

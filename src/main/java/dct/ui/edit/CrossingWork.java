@@ -8,9 +8,13 @@ import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.geometry.Untangle;
 import dct.core.triangulate.Domain;
+import dct.render.Ink;
+import dct.render.Pen;
+import dct.render.Stroke;
 import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandRegistry;
+import dct.ui.dialog.Failures.Remedy;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
@@ -22,15 +26,29 @@ import java.util.Optional;
 /** What can be done about a polygon that is not simple. */
 public final class CrossingWork {
   private static final String UNTANGLE = "Untangle";
+  private static final String USE_AS_SITES = "Use as Sites";
+  private static final double MARK = 17; // the radius of the ring round the place gone to
+  private static final double TICK = 9; // the lines that point at it
+  private static final double WIDTH = 3;
 
   private final Workbench workbench;
   private final CanvasPanel canvas;
   private Optional<Defect> last = Optional.empty(); // gone to
+  private Points lastOf = Points.ofPairs(); // the polygon in which it was
 
   /** Work on the polygon of a workbench. */
   public CrossingWork(Workbench workbench, CanvasPanel canvas) {
     this.workbench = workbench;
     this.canvas = canvas;
+    canvas.addOverlay(this::markLast);
+  }
+
+  /** What can be done about a defect of the polygon. */
+  public List<Remedy> remedies() {
+    return List.of(
+        new Remedy("Show Me", this::goTo),
+        new Remedy(UNTANGLE, defect -> untangle()),
+        new Remedy(USE_AS_SITES, defect -> useAsSites()));
   }
 
   /** Offers the commands. */
@@ -51,7 +69,7 @@ public final class CrossingWork {
         .enabledWhen(() -> !places().isEmpty());
     commands
         .add(
-            "Use as Sites",
+            USE_AS_SITES,
             "",
             "Takes the polygon's vertices for the sites of the other application",
             this::useAsSites)
@@ -96,6 +114,7 @@ public final class CrossingWork {
   /** Shows the place of a defect, large enough to tell its edges apart. */
   public void goTo(Defect defect) {
     last = Optional.of(defect);
+    lastOf = editor().document().points();
     workbench.choose(Domain.POLYGON);
     workbench.chooseEdit();
     double x = canvas.getWidth() / 2.0;
@@ -104,6 +123,25 @@ public final class CrossingWork {
     double factor = Math.min(x, y) / 2 / (reach(defect) * here.scale());
     boolean usable = Double.isFinite(factor) && factor > 0;
     canvas.setViewport(usable ? here.zoomed(factor, x, y) : here);
+  }
+
+  /** Marks the place gone to, until the polygon changes. */
+  private void markLast(Pen pen) {
+    last.filter(defect -> workbench.isChosen(Domain.POLYGON))
+        .filter(defect -> editor().visible().points().equals(lastOf))
+        .ifPresent(defect -> mark(defect, pen));
+  }
+
+  private void mark(Defect defect, Pen pen) {
+    double x = canvas.viewport().screenX(defect.x());
+    double y = canvas.viewport().screenY(defect.y());
+    double end = MARK + TICK;
+    pen.style(Stroke.solid(Ink.HIGHLIGHT, WIDTH));
+    pen.ring(x, y, MARK);
+    pen.line(x - end, y, x - MARK, y);
+    pen.line(x + MARK, y, x + end, y);
+    pen.line(x, y - end, x, y - MARK);
+    pen.line(x, y + MARK, x, y + end);
   }
 
   /** The distance from the place of a defect to the nearest end of its edges elsewhere. */
@@ -158,7 +196,7 @@ public final class CrossingWork {
         all
             ? new Document(Domain.SITES, points, polygon.wishes())
             : new Document(Domain.SITES, points);
-    sites.perform(new Edit.Replace("Use as Sites", before, after));
+    sites.perform(new Edit.Replace(USE_AS_SITES, before, after));
     workbench.choose(Domain.SITES);
     workbench.chooseEdit();
     canvas.showWell();

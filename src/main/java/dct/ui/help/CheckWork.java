@@ -80,7 +80,7 @@ public final class CheckWork {
   private void ask(Report report) {
     if (report.defect().isEmpty()) {
       Ask.tell(parent, TITLE, report.sentence());
-    } else if (Ask.offer(parent, TITLE, report.sentence(), "Show Me")) {
+    } else if (Ask.offer(parent, TITLE, report.sentence(), "Show Me").isPresent()) {
       goTo.accept(report.defect().get());
     }
   }

@@ -95,7 +95,7 @@ public final class StudyWork implements StudyHost {
 
   @Override
   public void failed(Component over, String what, Throwable cause) {
-    new Failures(over, defect -> {}).show(what, cause);
+    new Failures(over, List.of()).show(what, cause);
   }
 
   /** Ends all studies and closes their dialogs. */
