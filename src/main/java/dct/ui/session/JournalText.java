@@ -20,7 +20,8 @@ import java.util.Optional;
 
 /**
  * The lines of a journal. A head says whose drawing it is; then come steps, each of which says
- * which vertices it takes out and puts in, and ends with a line of its own:
+ * which vertices it takes out and puts in, at one place or at several from the first to the last,
+ * numbered as they were before it, and ends with a line of its own:
  *
  * <pre>
  * dct-journal/1
@@ -28,6 +29,7 @@ import java.util.Optional;
  * name a_polygonbased.txt
  * step 2 0 1
  * 300 400 e
+ * step 7 1 0
  * end
  * </pre>
  *
@@ -70,29 +72,65 @@ final class JournalText {
     return name.replaceAll("[\\r\\n]", " ");
   }
 
-  /** The step from one document to another: what lies between the vertices that both share. */
+  /**
+   * The step from one document to another, in linear time: the vertices that differ where as many
+   * are there as before, and else those that have gone or come.
+   */
   static String step(Document before, Document after) {
-    int least = Math.min(before.size(), after.size());
-    int head = 0;
-    while (head < least && same(before, head, after, head)) {
-      head++;
-    }
-    int tail = 0;
-    while (tail < least - head
-        && same(before, before.size() - 1 - tail, after, after.size() - 1 - tail)) {
-      tail++;
-    }
-    StringBuilder text = new StringBuilder(STEP + " " + head);
-    text.append(' ').append(before.size() - head - tail);
-    text.append(' ').append(after.size() - head - tail).append('\n');
+    StringBuilder text = new StringBuilder();
     String letters = WishLetters.of(after.wishes());
-    for (int v = head; v < after.size() - tail; v++) {
-      Decimals.append(text, after.points().x(v));
-      text.append(' ');
-      Decimals.append(text, after.points().y(v));
-      text.append(' ').append(letters.charAt(v)).append('\n');
+    int from = 0; // in the document before
+    int to = 0; // in the one after
+    while (from < before.size() || to < after.size()) {
+      int same = common(before, from, after, to);
+      from += same;
+      to += same;
+      int gone = 0;
+      int come = 0;
+      while ((from + gone < before.size() || to + come < after.size())
+          && !isCommon(before, from + gone, after, to + come)) {
+        int surplus = (before.size() - from - gone) - (after.size() - to - come);
+        gone += surplus >= 0 ? 1 : 0;
+        come += surplus <= 0 ? 1 : 0;
+      }
+      if (gone > 0 || come > 0) {
+        change(text, from, gone, come);
+        vertices(text, after, letters, to, come);
+      }
+      from += gone;
+      to += come;
+    }
+    if (text.length() == 0) {
+      change(text, 0, 0, 0);
     }
     return text.append(END + "\n").toString();
+  }
+
+  private static int common(Document before, int from, Document after, int to) {
+    int same = 0;
+    while (isCommon(before, from + same, after, to + same)) {
+      same++;
+    }
+    return same;
+  }
+
+  private static boolean isCommon(Document before, int v, Document after, int w) {
+    return v < before.size() && w < after.size() && same(before, v, after, w);
+  }
+
+  private static void change(StringBuilder text, int at, int gone, int come) {
+    text.append(STEP + " ").append(at).append(' ').append(gone).append(' ').append(come);
+    text.append('\n');
+  }
+
+  private static void vertices(
+      StringBuilder text, Document document, String letters, int first, int count) {
+    for (int v = first; v < first + count; v++) {
+      Decimals.append(text, document.points().x(v));
+      text.append(' ');
+      Decimals.append(text, document.points().y(v));
+      text.append(' ').append(letters.charAt(v)).append('\n');
+    }
   }
 
   private static boolean same(Document one, int v, Document other, int w) {
@@ -124,7 +162,7 @@ final class JournalText {
   private static final class Reader {
     private final BufferedReader in;
     private final Map<String, String> head = new HashMap<>();
-    private final List<String> vertices = new ArrayList<>(); // as they stand in their lines
+    private List<String> vertices = new ArrayList<>(); // as they stand in their lines
     private String line;
     private int steps;
     private Optional<Integer> view = Optional.empty();
@@ -170,21 +208,28 @@ final class JournalText {
       return true;
     }
 
-    private boolean change(String[] words) throws IOException {
-      require(words[0].equals(STEP) && words.length == 4);
-      int at = Integer.parseInt(words[1]);
-      int removed = Integer.parseInt(words[2]);
-      int inserted = Integer.parseInt(words[3]);
-      require(at >= 0 && removed >= 0 && at + removed <= vertices.size());
-      List<String> lines = new ArrayList<>();
-      for (int i = 0; i < inserted && next() != null; i++) {
-        lines.add(line);
-      }
-      if (!END.equals(next())) {
-        return false;
-      }
-      vertices.subList(at, at + removed).clear();
-      vertices.addAll(at, lines);
+    private boolean change(String[] first) throws IOException {
+      List<String> changed = new ArrayList<>(vertices.size() + 1);
+      int done = 0; // of the vertices before
+      String[] words = first;
+      do {
+        require(words[0].equals(STEP) && words.length == 4);
+        int at = Integer.parseInt(words[1]);
+        int removed = Integer.parseInt(words[2]);
+        int inserted = Integer.parseInt(words[3]);
+        require(at >= done && removed >= 0 && at + removed <= vertices.size());
+        changed.addAll(vertices.subList(done, at));
+        done = at + removed;
+        for (int i = 0; i < inserted && next() != null; i++) {
+          changed.add(line);
+        }
+        if (next() == null) {
+          return false;
+        }
+        words = line.split(" ", 4);
+      } while (!END.equals(line));
+      changed.addAll(vertices.subList(done, vertices.size()));
+      vertices = changed;
       steps++;
       view = Optional.empty(); // the result was of other vertices
       next();

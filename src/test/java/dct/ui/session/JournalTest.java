@@ -10,11 +10,13 @@ import dct.core.triangulate.Domain;
 import dct.io.FileStamp;
 import dct.problem.Method;
 import dct.problem.Solution;
+import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
+import dct.ui.document.Selection;
 import dct.ui.job.Jobs;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -119,6 +121,31 @@ class JournalTest {
     perform(Edit.delete(editor.document(), 7));
     assertThat(text().length() - whole).isLessThan(100);
     assertThat(back()).isEqualTo(editor.document());
+  }
+
+  @Test
+  void editsOfSomeOfManyVerticesAreAsLargeAsTheirNumber() throws Exception {
+    Points many = Points.ofPairs(new Random(1).doubles(200_000).toArray());
+    perform(Edit.replace("Many", editor.document(), many));
+    int[] some = new Random(2).ints(1_000, 0, many.size()).distinct().toArray();
+    Selection which = Selection.of(some);
+    Points places = Points.ofPairs(new Random(3).doubles(2L * which.count()).toArray());
+    int longest = 70 * which.count(); // two doubles and the line that says where
+    for (Edit edit :
+        List.of(
+            BulkEdit.move(editor.document(), which, places),
+            BulkEdit.delete("Delete", editor.document(), which))) {
+      int length = text().length();
+      perform(edit);
+      assertThat(text().length() - length).as(edit.label()).isLessThan(longest);
+      assertThat(back()).as(edit.label()).isEqualTo(editor.document());
+    }
+    for (Runnable step : List.<Runnable>of(editor::undo, editor::redo, editor::undo)) {
+      int length = text().length();
+      edit(step);
+      assertThat(text().length() - length).isLessThan(longest);
+      assertThat(back()).isEqualTo(editor.document());
+    }
   }
 
   @Test
