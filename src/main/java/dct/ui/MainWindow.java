@@ -162,7 +162,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     commands
         .add("Tool Bar", "", "Shows or hides the icons below the menus", this::toggleTools)
         .selectedWhen(() -> tools == null || tools.isVisible());
-    LiveCommands.offer(commands, workbench);
+    LiveCommands.offer(commands, workbench, session.settings());
     resultViews.offer();
     explainer.offer(commands);
     CheckWork checks = new CheckWork(this, workbench, crossings::goTo);

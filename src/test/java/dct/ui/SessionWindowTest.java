@@ -7,6 +7,7 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
 import dct.ui.dialog.Placement;
+import dct.ui.document.Editor;
 import dct.ui.file.FileDrop;
 import dct.ui.menu.Look;
 import dct.ui.session.Orphan;
@@ -264,6 +265,31 @@ class SessionWindowTest extends WindowTest {
             return null;
           });
     }
+  }
+
+  @Test
+  void theLiveTriangulationIsRememberedWithItsMethod() throws Exception {
+    drawTriangle();
+    clickAt(150, 350, 80, 200);
+    frame.menuItem("View").click();
+    menu("Live Method", "Live Ear Clipping Triangulation");
+    session.journals().await();
+    Editor live = onEventThread(() -> nextPolygon());
+    assertThat(onEventThread(() -> live.live().orElseThrow().title()))
+        .isEqualTo("Ear Clipping Triangulation");
+    type(KeyEvent.VK_L);
+    session.journals().await();
+    Editor plain = onEventThread(() -> nextPolygon());
+    assertThat(onEventThread(plain::live)).isEmpty();
+    assertThat(Session.in(state).settings().get("live.method"))
+        .contains("Ear Clipping Triangulation");
+  }
+
+  /** The polygon's editor in the first window of another run. */
+  private Editor nextPolygon() {
+    MainWindow next = new Windows(Session.in(state)).openWindow();
+    next.dispose();
+    return next.workbench().editor(Domain.POLYGON);
   }
 
   @Test
