@@ -44,6 +44,11 @@ record EdgePoint(int from, int to, double x, double y, boolean exact) {
         .orElse(new EdgePoint(from, to, x, y, false));
   }
 
+  /** The name of the edge. */
+  String name() {
+    return "v" + from + "–v" + to;
+  }
+
   /** How far it is from a spot, in pixels. */
   double distance(Viewport view, Spot spot) {
     return Math.hypot(view.screenX(x) - spot.screenX(), view.screenY(y) - spot.screenY());

@@ -1,5 +1,6 @@
 package dct.ui.tool;
 
+import dct.core.Decimals;
 import dct.core.geometry.Points;
 import dct.core.geometry.SegmentPoints.Place;
 import dct.render.Viewport;
@@ -11,12 +12,14 @@ import java.util.function.IntPredicate;
 
 /**
  * Finds what a place snaps to. Directions come first, if Shift is down or angles are on: with Shift
- * they are multiples of 90°, and their coordinates in turn snap to those of vertices and of the
- * grid. Then a vertex within reach, an edge within reach, and the grid.
+ * they are multiples of 90°. Where one crosses an edge within reach, the place goes there if edges
+ * are on; else level and upright ones go to coordinates of vertices, and all to lines of the grid.
+ * Without a direction, a vertex within reach comes first, then two edges where they cross, an edge
+ * within reach, and the grid.
  *
  * <p>What is snapped to is met exactly: a vertex has its own coordinates, the grid multiples of its
  * size as decimal numbers, an edge those of {@link EdgePoint}, and a level or upright direction one
- * coordinate of where it begins.
+ * coordinate of where it begins. Crossings are rounded as {@link NearCrossing} says.
  */
 final class Snapping {
   private static final double RIGHT_ANGLE = 90;
@@ -64,15 +67,23 @@ final class Snapping {
     return v < 0 ? Optional.empty() : Optional.of(new Target(points.x(v), points.y(v), "on v" + v));
   }
 
+  /** Whether edges are snapped to and those shown are not of an older document. */
+  private boolean hasEdges() {
+    return snap.isOn(Snap.To.EDGES)
+        && context.shown().document().size() == context.document().size();
+  }
+
   private Optional<Target> edge() {
-    Analysis shown = context.shown();
-    // While a large document is being analysed, the edges shown are those of an older one.
-    if (!snap.isOn(Snap.To.EDGES) || shown.document().size() != context.document().size()) {
+    if (!hasEdges()) {
       return Optional.empty();
     }
-    return Pick.edge(shown, view, spot, moving.negate())
-        .filter(edge -> edge.distance(view, spot) <= Pick.REACH)
-        .map(edge -> new Target(edge.x(), edge.y(), "on v" + edge.from() + "–v" + edge.to()));
+    Analysis shown = context.shown();
+    Optional<Target> crossing = new NearCrossing(shown, view, spot, moving.negate()).ofEdges();
+    return crossing.or(
+        () ->
+            Pick.edge(shown, view, spot, moving.negate())
+                .filter(edge -> edge.distance(view, spot) <= Pick.REACH)
+                .map(edge -> new Target(edge.x(), edge.y(), "on " + edge.name())));
   }
 
   private Optional<Target> gridPoint() {
@@ -95,19 +106,45 @@ final class Snapping {
     double dx = spot.x() - origin.x();
     double dy = spot.y() - origin.y();
     double degrees = Math.rint(Math.toDegrees(Math.atan2(dy, dx)) / step) * step;
-    String hit = "in a direction of " + dct.core.Decimals.format(Math.abs(degrees)) + "°";
-    if (Math.abs(degrees) % 180 == 0) {
-      return new Target(along(spot.x(), Points::x, view::screenX), origin.y(), hit);
+    String words = "in a direction of " + Decimals.format(Math.abs(degrees)) + "°";
+    double cos = Math.abs(degrees) == RIGHT_ANGLE ? 0 : Math.cos(Math.toRadians(degrees));
+    double sin = Math.abs(degrees) % 180 == 0 ? 0 : Math.sin(Math.toRadians(degrees));
+    double length = dx * cos + dy * sin;
+    Target place = new Target(origin.x() + length * cos, origin.y() + length * sin, words);
+    return crossing(origin, cos, sin, place)
+        .orElseGet(() -> alongDirection(origin, cos, sin, place));
+  }
+
+  /** Where an edge crosses the direction within reach of a place in it. */
+  private Optional<Target> crossing(Place origin, double cos, double sin, Target place) {
+    if (!hasEdges()) {
+      return Optional.empty();
     }
-    if (Math.abs(degrees) == RIGHT_ANGLE) {
-      return new Target(origin.x(), along(spot.y(), Points::y, view::screenY), hit);
+    Spot there = Spot.at(view, view.screenX(place.x()), view.screenY(place.y()));
+    return new NearCrossing(context.shown(), view, there, moving.negate())
+        .inDirection(origin, cos, sin, place.hit());
+  }
+
+  private Target alongDirection(Place origin, double cos, double sin, Target place) {
+    if (sin == 0) {
+      return new Target(along(spot.x(), Points::x, view::screenX), origin.y(), place.hit());
     }
-    double radians = Math.toRadians(degrees);
-    double length = dx * Math.cos(radians) + dy * Math.sin(radians);
+    if (cos == 0) {
+      return new Target(origin.x(), along(spot.y(), Points::y, view::screenY), place.hit());
+    }
+    double length = Math.hypot(place.x() - origin.x(), place.y() - origin.y());
+    String hit = place.hit();
+    if (snap.isOn(Snap.To.GRID)) {
+      hit = "on the grid " + hit;
+      length =
+          Math.abs(cos) >= Math.abs(sin)
+              ? (onGrid(place.x()) - origin.x()) / cos
+              : (onGrid(place.y()) - origin.y()) / sin;
+    }
     int decimals = Spot.decimals(view) + FINE;
     return new Target(
-        Spot.rounded(origin.x() + length * Math.cos(radians), decimals),
-        Spot.rounded(origin.y() + length * Math.sin(radians), decimals),
+        Spot.rounded(origin.x() + length * cos, decimals),
+        Spot.rounded(origin.y() + length * sin, decimals),
         hit);
   }
 

@@ -1,6 +1,7 @@
 package dct.ui.tool;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dct.core.geometry.Points;
 import dct.core.geometry.SegmentPoints.Place;
@@ -81,8 +82,7 @@ class SnappingTest {
     polygon.snap.toggle(Snap.To.ANGLES);
     polygon.snap.setAngle(30);
     Target target = from(0, 0, polygon.spot(100, 50));
-    assertThat(Math.toDegrees(Math.atan2(target.y(), target.x())))
-        .isCloseTo(30, org.assertj.core.api.Assertions.within(1e-3));
+    assertThat(Math.toDegrees(Math.atan2(target.y(), target.x()))).isCloseTo(30, within(1e-3));
     polygon.snap.setAngle(45);
     target = from(10, 10, polygon.spot(60, 52));
     assertThat(target.x() - 10).isEqualTo(target.y() - 10);
@@ -94,6 +94,66 @@ class SnappingTest {
     Target target = from(500, 200.5, polygon.spot(103, 205).withShift(true));
     assertThat(target.x()).isEqualTo(100.25);
     assertThat(target.y()).isEqualTo(200.5);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"200, 298, false", "203, 301, true"})
+  void anUprightDirectionAndAnEdgeAreMetWhereTheyCross(double x, double y, boolean shift) {
+    polygon.snap.toggle(Snap.To.EDGES);
+    if (!shift) {
+      polygon.snap.toggle(Snap.To.ANGLES);
+    }
+    Target target = from(200.7, 150, polygon.spot(x, y).withShift(shift));
+    assertThat(target).isEqualTo(new Target(200.7, 300, "on v2–v3 in a direction of 90°"));
+  }
+
+  @Test
+  void aSlantingDirectionMeetsAnEdgeExactlyOnIt() {
+    polygon.snap.toggle(Snap.To.EDGES);
+    polygon.snap.toggle(Snap.To.ANGLES);
+    polygon.snap.setAngle(30);
+    Target target = from(150, 200, polygon.spot(207, 104));
+    assertThat(target.hit()).isEqualTo("on v0–v1 in a direction of 60°");
+    Points with = polygon.points().inserted(1, target.x(), target.y());
+    assertThat(with.orient(0, 2, 1)).isZero();
+    double slope = (target.y() - 200) / (target.x() - 150);
+    assertThat(slope).isCloseTo(-Math.sqrt(3), within(1e-2));
+    assertThat(from(150, 200, polygon.spot(190, 130)).hit()).isEqualTo("in a direction of 60°");
+  }
+
+  @Test
+  void whatLiesBehindOrIsOnItsWayIsNotCrossed() {
+    polygon.snap.toggle(Snap.To.EDGES);
+    polygon.snap.toggle(Snap.To.ANGLES);
+    Spot spot = polygon.spot(200, 303);
+    assertThat(from(200, 302, spot).hit()).isEqualTo("in a direction of 90°");
+    assertThat(Snapping.of(polygon, spot, Optional.of(new Place(200, 150)), v -> v == 3).hit())
+        .isEqualTo("in a direction of 90°");
+  }
+
+  @Test
+  void aSlantingDirectionMeetsALineOfTheGrid() {
+    polygon.snap.toggle(Snap.To.GRID);
+    polygon.snap.toggle(Snap.To.ANGLES);
+    polygon.snap.setAngle(45);
+    assertThat(from(20, 40, polygon.spot(127, 152)))
+        .isEqualTo(new Target(120, 140, "on the grid in a direction of 45°"));
+    polygon.snap.setAngle(60);
+    Target steep = from(20, 40, polygon.spot(80, 152));
+    assertThat(steep.y()).isEqualTo(140);
+    assertThat(steep.x()).isCloseTo(20 + 100 / Math.sqrt(3), within(1e-3));
+  }
+
+  @Test
+  void twoEdgesAreMetWhereTheyCross() {
+    FakeContext bowTie = new FakeContext(Domain.POLYGON, 0, 0, 300, 300, 300, 0, 0, 300);
+    bowTie.snap.toggle(Snap.To.EDGES);
+    Target target = Snapping.of(bowTie, bowTie.spot(155, 147), Optional.empty(), v -> false);
+    assertThat(target).isEqualTo(new Target(150, 150, "on the crossing of v0–v1 and v2–v3"));
+    target = Snapping.of(bowTie, bowTie.spot(155, 147), Optional.empty(), v -> v == 3);
+    assertThat(target.hit()).isEqualTo("on v0–v1");
+    target = Snapping.of(bowTie, bowTie.spot(200, 202), Optional.empty(), v -> false);
+    assertThat(target.hit()).isEqualTo("on v0–v1");
   }
 
   @Test
