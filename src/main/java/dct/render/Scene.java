@@ -262,6 +262,17 @@ public final class Scene {
     return new Scene(this, counts, unmet, labels, any ? goal : null);
   }
 
+  /** This scene with a remark behind its counts, if there are any and the remark is not empty. */
+  public Scene withRemark(String remark) {
+    if (remark.isEmpty() || counts.isEmpty()) {
+      return this;
+    }
+    List<String> lines = new ArrayList<>(counts);
+    int last = lines.size() - 1;
+    lines.set(last, lines.get(last) + " — " + remark);
+    return new Scene(this, lines, unmet, labels, wishes);
+  }
+
   /** This scene with plain counts of its vertices and nothing said of how good they are. */
   public Scene withoutVerdict() {
     return new Scene(this, degrees == null ? counts : plainCounts(), new int[0], labels, wishes);

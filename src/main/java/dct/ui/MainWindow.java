@@ -21,6 +21,7 @@ import dct.ui.edit.ModeCommands;
 import dct.ui.edit.SelectionCommands;
 import dct.ui.edit.SnapCommands;
 import dct.ui.edit.WishWork;
+import dct.ui.explain.BoundNote;
 import dct.ui.explain.Explainer;
 import dct.ui.file.Closing;
 import dct.ui.file.FileCommands;
@@ -93,6 +94,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient StudyWork studies;
   private final transient FlipCommands flips;
   private final transient Explainer explainer;
+  private final transient BoundNote bound;
   private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
   private final transient Session session;
   private final transient List<Journal> journals;
@@ -116,6 +118,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     journals = Stream.of(Domain.values()).map(this::journal).toList();
     studies = new StudyWork(this, canvas, links, results::open);
     explainer = new Explainer(canvas, workbench.jobs(), workbench::solution);
+    bound = new BoundNote(canvas, workbench.jobs(), workbench::showsBound, workbench::inCanvas);
     offerCommands(host);
     flips = offerFlips();
     commands.bindKeys(getRootPane());
@@ -267,6 +270,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     } else if (editor != null) {
       canvas.setScene(workbench.flips().onTheWay().orElse(editor.shown().scene()));
     }
+    bound.refresh();
     boolean empty = editor == null || editor.visible().size() == 0;
     invitation.show(workbench.domain(), empty);
     canvas.setGrid(workbench.snap().isOn(Snap.To.GRID) ? workbench.snap().grid() : 0);
@@ -339,6 +343,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void restoreView() {
     Settings settings = session.settings();
     canvas.setLabels(new Labels(settings.isOn("labels.numbers"), settings.isOn("labels.degrees")));
+    workbench.setShowsBound(settings.isOn("view.bound"));
     results.setInWindow(settings.isOn("results.inWindow"));
     if (settings.isOn("view.yUp")) {
       canvas.setViewport(canvas.viewport().flipped(0, 0));
@@ -350,6 +355,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     Settings settings = session.settings();
     settings.put("labels.numbers", canvas.labels().numbers());
     settings.put("labels.degrees", canvas.labels().degrees());
+    settings.put("view.bound", workbench.showsBound());
     settings.put("results.inWindow", results.isInWindow());
     settings.put("view.yUp", canvas.viewport().yUp());
     Placement.remember(this, settings);

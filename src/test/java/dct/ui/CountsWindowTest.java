@@ -2,11 +2,16 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.Progress;
+import dct.core.degree.Flip;
 import dct.core.geometry.Points;
+import dct.problem.KnownBound;
+import dct.problem.Solution;
 import dct.render.Notes;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.solve.ResultFrame;
 import java.awt.event.KeyEvent;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
@@ -61,6 +66,65 @@ class CountsWindowTest extends WindowTest {
 
   private static boolean isWhole(JLabel label) {
     return label.getX() + label.getPreferredSize().width <= label.getParent().getWidth();
+  }
+
+  @Test
+  void theBoundIsShownOnRequestAndFollowsFlipsAndEdits() {
+    choose("Point Sites Based");
+    draw(Points.ofPairs(200, 200, 700, 220, 600, 560, 250, 520, 450, 390));
+    assertThat(counts()[0]).doesNotContain("—");
+    type(KeyEvent.VK_B);
+    requireBound();
+    onEventThread(
+        () -> {
+          Solution shown = window.workbench().inCanvas().orElseThrow();
+          int edge = 0;
+          while (Flip.at(shown.triangulation(), edge).isEmpty()) {
+            edge++;
+          }
+          window.workbench().flips().solution();
+          window.workbench().flips().flip(edge);
+          return null;
+        });
+    settle();
+    requireBound();
+    draw(Points.ofPairs(200, 200, 700, 220, 600, 560));
+    requireBound();
+    assertThat(counts()[0]).endsWith("— best possible");
+    type(KeyEvent.VK_B);
+    assertThat(counts()[0]).doesNotContain("—");
+  }
+
+  @Test
+  void theBoundIsInTheViewsOfAPolygonToo() {
+    choose("Polygon Based");
+    check("Draw Vertex");
+    clickAt(100, 100, 300, 60, 500, 120, 560, 300, 500, 500, 200, 560);
+    type(KeyEvent.VK_B);
+    ResultFrame monotone = pushForResult("Monotone Polygon Triangulation");
+    await(
+        "the bound",
+        () -> last(monotone).endsWith(words(monotone.view().result().get().solution())));
+    push("Clear Canvas");
+    assertThat(last(monotone)).endsWith(words(monotone.view().result().get().solution()));
+  }
+
+  private static String last(ResultFrame frame) {
+    return onEventThread(() -> String.join(" ", frame.canvas().scene().counts()));
+  }
+
+  private void requireBound() {
+    await(
+        "the bound of what is shown",
+        () ->
+            onEventThread(
+                () ->
+                    String.join(" ", canvas().scene().counts())
+                        .endsWith(words(window.workbench().inCanvas().orElseThrow()))));
+  }
+
+  private static String words(Solution solution) {
+    return "— " + KnownBound.best(solution, Progress.NONE).words(solution);
   }
 
   private void zoomIn() {

@@ -44,6 +44,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private final transient List<Consumer<Pen>> overlays = new ArrayList<>();
   private Labels labels = Labels.NONE;
   private transient List<Mark> marks = List.of();
+  private String remark = "";
   private String corner = "";
   private transient Notes notes = Notes.at(false);
   private transient View noted; // the picture that the notes were placed in; null before the first
@@ -83,7 +84,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   public void setScene(Scene scene) {
     if (scene != given) { // an equal one need not be drawn anew
       given = scene;
-      this.scene = scene.withLabels(labels);
+      this.scene = scene.withLabels(labels).withRemark(remark);
       access().changed();
     }
     repaint();
@@ -97,8 +98,18 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** Chooses what is written beside the vertices. */
   public void setLabels(Labels labels) {
     this.labels = labels;
-    scene = given.withLabels(labels);
+    scene = given.withLabels(labels).withRemark(remark);
     repaint();
+  }
+
+  /** Writes a remark behind the counts; none if it is empty. */
+  public void setRemark(String words) {
+    if (!words.equals(remark)) {
+      remark = words;
+      scene = given.withLabels(labels).withRemark(remark);
+      access().changed();
+      repaint();
+    }
   }
 
   /** What is written beside the vertices. */

@@ -20,6 +20,7 @@ public final class MenuTable {
           "Vertex Numbers",
           "Vertex Degrees",
           "Legend",
+          "Show Bound",
           "Y Axis Up",
           LINE,
           "Dark Look",

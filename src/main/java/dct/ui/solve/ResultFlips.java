@@ -2,6 +2,7 @@ package dct.ui.solve;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.problem.Solution;
 import dct.render.Viewport;
 import dct.ui.canvas.ToolMouse;
 import dct.ui.document.Analysis;
@@ -10,6 +11,7 @@ import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
 import dct.ui.edit.EditCommands;
+import dct.ui.explain.BoundNote;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
 import dct.ui.flip.FlipSource;
@@ -38,6 +40,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
   private final FlipDesk desk;
   private final FlipTool tool;
   private final FlipCommands commands;
+  private final BoundNote bound;
 
   /**
    * Flips in a view.
@@ -62,6 +65,8 @@ public final class ResultFlips implements FlipSource, ToolContext {
             new FlipListWork(view, desk, workbench.jobs(), folder),
             view.canvas(),
             () -> true);
+    bound =
+        new BoundNote(view.canvas(), workbench.jobs(), workbench::showsBound, this::shownSolution);
     EditCommands.offerHistory(view.commands(), () -> Optional.of(editor));
     new ToolMouse(view.canvas(), () -> Optional.of(tool), this, spot -> hint());
     view.canvas().setCursor(tool.cursor());
@@ -86,15 +91,22 @@ public final class ResultFlips implements FlipSource, ToolContext {
     view.addBelow(below);
   }
 
+  /** What the view shows, also where its points are no longer the document's. */
+  private Optional<Solution> shownSolution() {
+    return desk.solution().or(() -> view.result().map(Result::solution));
+  }
+
   /** Brings everything up to date with the document and the view. */
   void refresh() {
     commands.refresh();
+    bound.refresh();
     view.commands().refresh();
     hint();
   }
 
   private void shownChanged() {
     view.showState(desk.onTheWay());
+    bound.refresh();
     view.commands().refresh();
     hint();
   }

@@ -70,6 +70,13 @@ public final class ResultViewCommands {
         .selectedWhen(links::isOn);
     commands
         .add(
+            "Show Bound",
+            "B",
+            "Says beside the counts what no triangulation can go below, and when that is reached",
+            () -> turn(() -> workbench.setShowsBound(!workbench.showsBound())))
+        .selectedWhen(workbench::showsBound);
+    commands
+        .add(
             "Compare Results…",
             "ctrl shift K",
             "Shows only the edges in which two results of the same points differ",

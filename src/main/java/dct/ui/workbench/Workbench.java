@@ -41,6 +41,7 @@ public final class Workbench implements ToolContext {
   private final Tool draw = new DrawTool();
   private final Tool edit = new EditTool();
   private final Tool wish = new WishTool();
+  private boolean showsBound;
   private final FlipDesk flips;
   private final Tool flip;
   private final List<Tool> boxes = List.of(draw, new DeleteTool(), edit, new SplitTool());
@@ -176,6 +177,30 @@ public final class Workbench implements ToolContext {
 
   private static boolean isUpToDate(Editor editor) {
     return editor.shown().document().equals(editor.document());
+  }
+
+  /** Whether the bound is shown beside the counts. */
+  public boolean showsBound() {
+    return showsBound;
+  }
+
+  /** Shows the bound beside the counts, or no longer. */
+  public void setShowsBound(boolean shows) {
+    showsBound = shows;
+    changed();
+  }
+
+  /** What the canvas shows, if that is a triangulation of the points as they are in the picture. */
+  public Optional<Solution> inCanvas() {
+    return active()
+        .filter(e -> e.shown().document().points().equals(e.visible().points()))
+        .flatMap(e -> onTheWay(e).or(() -> e.shown().solution()));
+  }
+
+  private Optional<Solution> onTheWay(Editor editor) {
+    return editor.domain() == Domain.SITES && flips.onTheWay().isPresent()
+        ? flips.solution()
+        : Optional.empty();
   }
 
   private void changed() {
