@@ -39,7 +39,7 @@ public final class SplitTool implements Tool {
   @Override
   public String hint(ToolContext context) {
     return target(context)
-        .map(edge -> "Click to split the edge v" + edge.from() + "–v" + edge.to())
+        .map(edge -> "Click to split the edge " + edge.name())
         .orElse("Click near an edge to split it");
   }
 
@@ -66,8 +66,15 @@ public final class SplitTool implements Tool {
 
   private static void split(ToolContext context, EdgePoint edge) {
     Document document = context.document();
-    EdgePoint place =
-        edge.exact() ? edge : NearEdge.settle(document, edge, context.viewport().scale());
+    Optional<EdgePoint> settled =
+        edge.exact()
+            ? Optional.of(edge)
+            : NearEdge.settle(document, edge, context.viewport().scale());
+    if (settled.isEmpty()) {
+      context.say("No number is near enough to " + edge.name() + "; click at another place of it");
+      return;
+    }
+    EdgePoint place = settled.get();
     int there = document.vertexAt(place.x(), place.y());
     if (there >= 0) {
       context.say("v" + there + " is already there; click farther from it, or zoom in");

@@ -12,6 +12,7 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.render.Viewport;
 import java.math.BigDecimal;
+import java.util.BitSet;
 import java.util.Random;
 import java.util.function.DoubleSupplier;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,6 +77,91 @@ class SplitToolTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(longs = {31, 32, 33, 34})
+  void howeverOftenTheHullIsSplitNoSiteLeavesIt(long seed) {
+    Random random = new Random(seed);
+    int inside = 0;
+    for (int i = 0; i < 20; i++) {
+      FakeContext context = new FakeContext(Domain.SITES, coordinates(random, 24, i % 3));
+      for (int k = 0; k < 5; k++) {
+        Points before = context.points();
+        BitSet hull = hull(before);
+        Triangulation triangulation = delaunay(before);
+        int edge = boundaryEdge(triangulation, random);
+        splitEdge(
+            context,
+            triangulation.from(edge),
+            triangulation.to(edge),
+            0.01 + 0.98 * random.nextDouble());
+        if (context.points().equals(before)) {
+          assertThat(context.said).isNotEmpty();
+          continue;
+        }
+        BitSet after = hull(context.points());
+        int added = before.size();
+        inside += after.get(added) ? 0 : 1;
+        after.clear(added);
+        assertThat(after).as("seed %d, %d, %d", seed, i, k).isEqualTo(hull);
+      }
+    }
+    assertThat(inside).as("seed %d: some have no place outside", seed).isPositive();
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {41, 42, 43, 44})
+  void howeverOftenASideIsSplitThePolygonStaysSimple(long seed) {
+    Random random = new Random(seed);
+    for (int i = 0; i < 20; i++) {
+      double[] pairs = coordinates(random, 6, i % 3);
+      FakeContext context = new FakeContext(Domain.POLYGON, pairs);
+      int side = random.nextInt(3);
+      for (int k = 0; k < 5; k++) {
+        int n = context.points().size();
+        split(context, side, 0.01 + 0.98 * random.nextDouble());
+        assertThat(context.points().size() > n || !context.said.isEmpty()).isTrue();
+        assertThat(SimplicityCheck.firstDefect(context.points(), Progress.NONE))
+            .as("seed %d, %d, %d", seed, i, k)
+            .isEmpty();
+      }
+    }
+  }
+
+  /** Whole ones, tenths, or doubles with all their digits. */
+  private static double[] coordinates(Random random, int count, int kind) {
+    return random
+        .doubles(count, 0, 1000)
+        .map(c -> kind == 0 ? Math.rint(c) : kind == 1 ? Math.rint(10 * c) / 10 : c)
+        .toArray();
+  }
+
+  /**
+   * The sites on the boundary of the hull, in exact numbers: those in a line with all on one side.
+   */
+  private static BitSet hull(Points points) {
+    BitSet hull = new BitSet();
+    for (int v = 0; v < points.size(); v++) {
+      for (int w = 0; w < points.size(); w++) {
+        if (w != v && allOnOneSide(points, v, w)) {
+          hull.set(v);
+        }
+      }
+    }
+    return hull;
+  }
+
+  private static boolean allOnOneSide(Points points, int v, int w) {
+    int side = 0;
+    for (int c = 0; c < points.size(); c++) {
+      int turn = cross(points, v, w, points, c);
+      if (turn * side < 0) {
+        return false;
+      }
+      side = side == 0 ? turn : side;
+    }
+    return true;
+  }
+
   private static Triangulation delaunay(Points sites) {
     return Delaunay.triangulate(Sites.of(sites, Progress.NONE), Progress.NONE);
   }
@@ -121,7 +207,10 @@ class SplitToolTest {
   }
 
   private static int cross(Points edges, int v, Points points, int c) {
-    int w = (v + 1) % edges.size();
+    return cross(edges, v, (v + 1) % edges.size(), points, c);
+  }
+
+  private static int cross(Points edges, int v, int w, Points points, int c) {
     BigDecimal left = minus(edges.x(w), edges.x(v)).multiply(minus(points.y(c), edges.y(v)));
     BigDecimal right = minus(edges.y(w), edges.y(v)).multiply(minus(points.x(c), edges.x(v)));
     return left.compareTo(right);

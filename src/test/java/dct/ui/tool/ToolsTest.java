@@ -188,4 +188,17 @@ class ToolsTest {
     edit.pressed(polygon, polygon.spot(300, 300));
     assertThat(edit.hint(polygon)).contains("Esc puts it back");
   }
+
+  @Test
+  void anEdgeWithoutNumbersBesideItIsNotSplit() {
+    double up = Math.nextUp(1.0);
+    FakeContext context = new FakeContext(Domain.SITES, 1, 1, up, 1, 1, up, up, up);
+    context.viewport = Viewport.IDENTITY.zoomed(1e15, 0, 0);
+    context.viewport =
+        context.viewport.panned(-context.viewport.screenX(1), -context.viewport.screenY(1));
+    Points before = context.points();
+    new SplitTool().pressed(context, context.spot(0.11, 0.01));
+    assertThat(context.points()).isEqualTo(before);
+    assertThat(context.said).startsWith("No number is near enough");
+  }
 }
