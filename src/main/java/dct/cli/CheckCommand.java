@@ -2,8 +2,8 @@ package dct.cli;
 
 import com.google.gson.JsonObject;
 import dct.core.Progress;
-import dct.io.BadInputException;
-import dct.io.Shown;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import java.io.IOException;
 import picocli.CommandLine.Model.OptionSpec;

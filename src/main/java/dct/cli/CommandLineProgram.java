@@ -1,8 +1,10 @@
 package dct.cli;
 
-import dct.io.BadInputException;
 import dct.io.CannotWriteException;
-import dct.io.Shown;
+import dct.io.format.SeveralShapes;
+import dct.io.format.Shape;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
@@ -127,7 +129,8 @@ public final class CommandLineProgram {
         .footer(
             "",
             "Without arguments the window opens; dct FILE… opens files in it.",
-            "Exit status: 0 done, 2 wrong usage, 3 bad input, 130 stopped by Ctrl+C, 1 anything else.",
+            "Exit status: 0 done, 2 wrong usage, 3 bad input, 130 stopped by Ctrl+C, 1 anything"
+                + " else.",
             "",
             "Examples:",
             "  dct triangulate samples/random_500_pointbased.txt --flip",
@@ -168,12 +171,21 @@ public final class CommandLineProgram {
     return silent && e instanceof BadInputException ? BAD_INPUT : explain(e);
   }
 
+  private void list(List<Shape> shapes) {
+    for (int i = 0; i < shapes.size(); i++) {
+      console.err().println("  " + (i + 1) + ": " + Shown.harmless(shapes.get(i).description()));
+    }
+  }
+
   private int explain(Throwable e) {
     if (System.getenv("DCT_DEBUG") != null) {
       e.printStackTrace(console.err());
     }
     if (e instanceof BadInputException) {
       console.err().println(e.getMessage());
+      if (e instanceof SeveralShapes several) {
+        list(several.shapes().shapes());
+      }
       return BAD_INPUT;
     }
     String sentence = sentence(e);

@@ -3,7 +3,7 @@ package dct.cli;
 import dct.core.Progress;
 import dct.io.FileEnding;
 import dct.io.PointDocument;
-import dct.io.Shown;
+import dct.io.text.Shown;
 import dct.problem.Solution;
 import java.io.IOException;
 import java.util.List;
@@ -31,7 +31,6 @@ final class ConvertCommand extends Verb {
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
     PointDocument document = input.read(Progress.NONE);
-    document.checkOneRing();
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
     try (Interruption interruption = new Interruption()) {

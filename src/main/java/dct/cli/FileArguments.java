@@ -1,7 +1,7 @@
 package dct.cli;
 
-import dct.io.BadInputException;
 import dct.io.FileNames;
+import dct.io.text.BadInputException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

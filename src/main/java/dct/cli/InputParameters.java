@@ -2,23 +2,34 @@ package dct.cli;
 
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
-import dct.io.BadInputException;
 import dct.io.PointDocument;
 import dct.io.PointFile;
+import dct.io.format.Choice;
+import dct.io.format.Columns;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** The input of a verb, and what it is to be read as. */
 final class InputParameters {
+  private static final Pattern PAIR = Pattern.compile("([1-9][0-9]{0,3}),([1-9][0-9]{0,3})");
+
   private final Console console;
   private final PositionalParamSpec name;
   private final OptionSpec as;
+  private final OptionSpec pick;
+  private final OptionSpec columns;
+  private final OptionSpec skip;
 
   /** Declares them. */
   InputParameters(Verb verb) {
@@ -34,8 +45,23 @@ final class InputParameters {
             "polygon|points",
             String.class,
             "What the input is. By default its name (_polygonbased, _pointbased) says so, or else"
-                + " its contents (\"kind\" in JSON, a comment \"# kind: points\"), or else it has to"
-                + " be a polygon.");
+                + " its contents (\"kind\" in JSON, a comment \"# kind: points\"), or else it has"
+                + " to be a polygon.");
+    pick =
+        verb.option(
+            "--pick",
+            "N",
+            Integer.class,
+            "Which of several shapes in the input, from 1 on; without it they are listed.");
+    columns =
+        verb.option(
+            "--columns",
+            "X,Y",
+            String.class,
+            "Which columns of a text hold x and y, from 1 on, where it does not tell.");
+    skip =
+        verb.option(
+            "--skip", "LINES", Integer.class, "How many lines at the front of a text to skip.");
   }
 
   /** The name of the input as the user gave it. */
@@ -45,16 +71,48 @@ final class InputParameters {
 
   /** Reads the input; what it is declared to be is what was asked for, if anything was. */
   PointDocument read(Progress progress) throws IOException {
-    Optional<Domain> asked = asked();
-    PointDocument document = read(name(), console, progress);
-    return asked.isPresent() ? document.declared(asked.get()) : document;
+    return read(name(), choice(), console, progress);
+  }
+
+  private Choice choice() {
+    Integer number = pick.getValue();
+    OptionalInt picked = number == null ? OptionalInt.empty() : OptionalInt.of(number);
+    return new Choice(asked(), Domain.POLYGON, picked, new Columns(pair(), skipped()));
+  }
+
+  private int skipped() {
+    Integer lines = skip.getValue();
+    if (lines != null && lines < 0) {
+      throw new UsageException("--skip: " + lines + " is negative; give a number of lines");
+    }
+    return lines == null ? 0 : lines;
+  }
+
+  private Optional<Columns.Pair> pair() {
+    String typed = columns.getValue();
+    if (typed == null) {
+      return Optional.empty();
+    }
+    Matcher pair = PAIR.matcher(typed);
+    if (!pair.matches()) {
+      throw new UsageException(
+          "--columns: " + typed + " is not two numbers of columns; write --columns 1,2");
+    }
+    int x = Integer.parseInt(pair.group(1));
+    return Optional.of(new Columns.Pair(x, Integer.parseInt(pair.group(2))));
   }
 
   /** Reads the points of a file, or of standard input. */
-  static PointDocument read(String name, Console console, Progress progress) throws IOException {
-    return name.equals(Verb.STANDARD_STREAM)
-        ? PointFile.read(name, console.in())
-        : PointFile.read(path(name), progress);
+  static PointDocument read(String name, Choice choice, Console console, Progress progress)
+      throws IOException {
+    PointDocument document =
+        name.equals(Verb.STANDARD_STREAM)
+            ? PointFile.read(name, console.in(), choice)
+            : PointFile.read(path(name), choice, progress);
+    for (String note : document.notes()) {
+      console.err().println(Shown.harmless(name) + ": " + note);
+    }
+    return document;
   }
 
   /**

@@ -38,7 +38,7 @@ final class PointOutput {
   }
 
   private static Scene scene(PointDocument document) {
-    return document.declared().orElse(Domain.POLYGON) == Domain.SITES
+    return document.domain() == Domain.SITES
         ? Scene.sites(document.points())
         : Scene.polygon(document.points(), false, List.of());
   }

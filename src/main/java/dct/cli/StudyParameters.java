@@ -1,6 +1,7 @@
 package dct.cli;
 
 import dct.core.Progress;
+import dct.core.triangulate.Domain;
 import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.SiteShape;
 import dct.experiment.study.PointsStudy;
@@ -10,6 +11,7 @@ import dct.experiment.study.Study;
 import dct.experiment.study.StudyPlan;
 import dct.experiment.study.ThesisTable;
 import dct.io.PointFile;
+import dct.io.format.Choice;
 import dct.problem.Instance;
 import java.io.IOException;
 import java.util.LinkedHashMap;
@@ -147,7 +149,11 @@ final class StudyParameters {
     Map<String, Instance.OfPolygon> polygons = new LinkedHashMap<>();
     for (String name : fileNames()) {
       polygons.put(
-          name, PointFile.read(InputParameters.path(name), Progress.NONE).polygon(Progress.NONE));
+          name,
+          (Instance.OfPolygon)
+              PointFile.read(
+                      InputParameters.path(name), Choice.NONE.as(Domain.POLYGON), Progress.NONE)
+                  .instance(Progress.NONE));
     }
     return polygons;
   }

@@ -4,7 +4,7 @@ import dct.core.degree.DegreeCount;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.triangulate.Triangulation;
-import dct.io.Shown;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import dct.problem.Solution;
 import java.util.Locale;

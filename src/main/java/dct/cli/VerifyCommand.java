@@ -3,10 +3,10 @@ package dct.cli;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import dct.core.Progress;
-import dct.io.BadInputException;
-import dct.io.PointDocument;
 import dct.io.ResultJson;
-import dct.io.Shown;
+import dct.io.format.Choice;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
@@ -40,8 +40,8 @@ final class VerifyCommand extends Verb {
         "Takes a whole result (triangulate -o RESULT.json) and believes nothing in it: planar,"
             + " covers the domain, degrees recounted, flips undone and recounted, Delaunay or cut"
             + " into convex or monotone pieces where claimed, the lower bound recomputed.",
-        "Exit status: 0 everything claimed was recomputed, 4 something is false, 5 something claimed"
-            + " cannot be recomputed.");
+        "Exit status: 0 everything claimed was recomputed, 4 something is false, 5 something"
+            + " claimed cannot be recomputed.");
     examples("dct verify result.json");
   }
 
@@ -78,12 +78,9 @@ final class VerifyCommand extends Verb {
     if (file == null) {
       return Optional.empty();
     }
-    PointDocument document = InputParameters.read(file, console(), Progress.NONE);
+    Choice choice = claims.domain().map(Choice.NONE::otherwise).orElse(Choice.NONE);
     return Optional.of(
-        (document.declared().isEmpty()
-                ? claims.domain().map(document::declared).orElse(document)
-                : document)
-            .instance(Progress.NONE));
+        InputParameters.read(file, choice, console(), Progress.NONE).instance(Progress.NONE));
   }
 
   private void print(Claims claims, Verdict verdict) throws IOException {

@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.io.text.Shown;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;

@@ -1,6 +1,7 @@
 package dct.io;
 
 import dct.core.triangulate.Domain;
+import dct.io.text.BadInputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

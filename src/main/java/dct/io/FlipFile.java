@@ -3,6 +3,8 @@ package dct.io;
 import dct.core.Progress;
 import dct.core.degree.Flip;
 import dct.core.degree.FlipList;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;

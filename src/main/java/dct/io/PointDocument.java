@@ -6,6 +6,8 @@ import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.io.format.Choice;
+import dct.io.text.BadInputException;
 import dct.problem.Instance;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
@@ -16,6 +18,7 @@ import dct.problem.verify.Verdict.Outcome;
 import dct.problem.verify.Verifier;
 import dct.problem.verify.WishLetters;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -28,53 +31,55 @@ public final class PointDocument {
 
   private final String source;
   private final Optional<Domain> declared;
+  private final Domain domain;
   private final Points points;
   private final int[] lines; // the line of each point
   private final Optional<Claims> claims; // what a file of JSON says, and whatever else it holds
-  private final int secondRing; // the line where another ring may begin, 0 if there is none
+  private final List<String> notes;
 
   PointDocument(
-      String source, Optional<Domain> declared, Points points, int[] lines, int secondRing) {
-    this(source, declared, points, lines, Optional.empty(), secondRing);
-  }
-
-  private PointDocument(
       String source,
       Optional<Domain> declared,
+      Domain otherwise,
       Points points,
       int[] lines,
       Optional<Claims> claims,
-      int secondRing) {
+      List<String> notes) {
     this.source = source;
     this.declared = declared;
+    this.domain = declared.orElse(otherwise);
     this.points = points;
     this.lines = lines;
     this.claims = claims;
-    this.secondRing = secondRing;
+    this.notes = List.copyOf(notes);
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
   public static PointDocument of(String source, Domain domain, Points points) {
     int[] lines = new int[points.size()];
     Arrays.setAll(lines, i -> i + 1);
-    return new PointDocument(source, Optional.of(domain), points, lines, 0);
+    return new PointDocument(
+        source, Optional.of(domain), domain, points, lines, Optional.empty(), List.of());
   }
 
-  /** What a file of the program's own JSON says. */
-  static PointDocument of(Claims claims) {
+  /**
+   * What a file of the program's own JSON says.
+   *
+   * @param choice a triangulation of another domain than that asked for is left out
+   */
+  static PointDocument of(Claims claims, Choice choice) {
     return new PointDocument(
-        claims.source(), claims.domain(), claims.points(), claims.lines(), Optional.of(claims), 0);
+        claims.source(),
+        choice.as().or(claims::domain),
+        choice.otherwise(),
+        claims.points(),
+        claims.lines(),
+        Optional.of(claims).filter(said -> fits(said, choice.as())),
+        List.of());
   }
 
-  /** The same points, said to be of this domain; a triangulation of another is left out. */
-  public PointDocument declared(Domain domain) {
-    return new PointDocument(
-        source,
-        Optional.of(domain),
-        points,
-        lines,
-        claims.filter(said -> said.domain().map(domain::equals).orElse(!said.hasEdges())),
-        secondRing);
+  private static boolean fits(Claims claims, Optional<Domain> as) {
+    return as.isEmpty() || claims.domain().map(as.get()::equals).orElse(!claims.hasEdges());
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */
@@ -85,6 +90,16 @@ public final class PointDocument {
   /** What the file's name, or else its contents, say that the points are; nothing if neither. */
   public Optional<Domain> declared() {
     return declared;
+  }
+
+  /** What was left out of the file, a sentence each without a full stop. */
+  public List<String> notes() {
+    return notes;
+  }
+
+  /** What the points are taken for: what they are declared to be, or else what the reader chose. */
+  public Domain domain() {
+    return domain;
   }
 
   /** The points, in the order of the file. */
@@ -98,46 +113,19 @@ public final class PointDocument {
   }
 
   /**
-   * The points as an instance; points that are not said to be sites have to be a polygon.
+   * The points as an instance.
    *
-   * @throws BadInputException if they are not usable, or a polygon may be several rings
+   * @throws BadInputException if they are not usable
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public Instance instance(Progress progress) {
-    checkOneRing();
     try {
-      return Instance.of(declared.orElse(Domain.POLYGON), source, points, progress);
+      return Instance.of(domain, source, points, progress);
     } catch (InvalidGeometryException e) {
       throw declared.isEmpty() && couldBeSites(progress)
           ? bad(e.defect(), SITES_HINT)
           : bad(e.defect(), "");
     }
-  }
-
-  /**
-   * Sees that the points, unless they are said to be sites, are those of one ring.
-   *
-   * @throws BadInputException if a blank line parts them where another ring may begin
-   */
-  public void checkOneRing() {
-    if (secondRing > 0 && declared.orElse(Domain.POLYGON) == Domain.POLYGON) {
-      throw new BadInputException(
-          source,
-          secondRing,
-          "another ring seems to begin here, behind a blank line; only one ring can be read: remove"
-              + " the blank line if it is the same one, or split the file"
-              + (declared.isEmpty() ? SITES_HINT : ""));
-    }
-  }
-
-  /**
-   * The points as a polygon, whatever they are said to be.
-   *
-   * @throws BadInputException if they do not bound a simple polygon
-   * @throws java.util.concurrent.CancellationException if cancelled
-   */
-  public Instance.OfPolygon polygon(Progress progress) {
-    return (Instance.OfPolygon) declared(Domain.POLYGON).instance(progress);
   }
 
   /**

@@ -4,6 +4,15 @@ import dct.core.Decimals;
 import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.io.format.Choice;
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.Input;
+import dct.io.format.Shapes;
+import dct.io.format.plain.TextLayout;
+import dct.io.format.plain.VertexText;
+import dct.io.text.BadInputException;
+import dct.io.text.PlainText;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -15,25 +24,30 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Files of points: the program's own text, or the {@code points} of its JSON, told by content.
+ * Files of points, in any of the {@link Formats} or as the program's own JSON, told by content.
  *
  * <p>Reading and writing take linear time.
  */
 public final class PointFile {
-  private static final int LOOK_AHEAD = 8192;
-
   private PointFile() {}
 
   /**
    * Reads the file that {@link FileNames#forOpening} leads to.
    *
-   * @throws BadInputException if there is none, or it holds no points
+   * @throws dct.io.format.SeveralShapes if it holds several shapes and none was chosen
+   * @throws BadInputException if there is no such file, or it holds no points
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static PointDocument read(Path typed, Progress progress) {
+  public static PointDocument read(Path typed, Choice choice, Progress progress) {
     Path file = FileNames.forOpening(typed);
-    PointDocument document = open(file, progress, PointFile::read);
-    return FileNames.domain(file).map(document::declared).orElse(document);
+    Choice named =
+        choice.as().isPresent() ? choice : FileNames.domain(file).map(choice::as).orElse(choice);
+    return open(file, progress, (name, in) -> read(name, in, Optional.of(file), named));
+  }
+
+  /** The same where name and content tell what the points are. */
+  public static PointDocument read(Path typed, Progress progress) {
+    return read(typed, Choice.NONE, progress);
   }
 
   /** Makes something of the stream of a file. */
@@ -67,38 +81,27 @@ public final class PointFile {
    * Reads a stream to its end.
    *
    * @param name what messages call it, "-" for standard input
+   * @throws dct.io.format.SeveralShapes if it holds several shapes and none was chosen
    * @throws BadInputException if it holds no points
    */
+  public static PointDocument read(String name, InputStream in, Choice choice) throws IOException {
+    return read(name, in, Optional.empty(), choice);
+  }
+
+  /** The same where the content tells what the points are. */
   public static PointDocument read(String name, InputStream in) throws IOException {
-    BufferedInputStream buffered = new BufferedInputStream(in, LOOK_AHEAD);
-    return startsAsJson(buffered)
-        ? PointDocument.of(JsonText.read(name, buffered))
-        : VertexText.read(name, buffered);
+    return read(name, in, Choice.NONE);
   }
 
-  /**
-   * Whether the first character, white space and a byte-order mark left out, is a brace with no
-   * number behind it.
-   */
-  private static boolean startsAsJson(BufferedInputStream in) throws IOException {
-    in.mark(LOOK_AHEAD);
-    byte[] head = in.readNBytes(LOOK_AHEAD);
-    in.reset();
-    int brace = afterSpace(head, 0);
-    if (brace == head.length || head[brace] != '{') {
-      return false;
+  private static PointDocument read(String name, InputStream in, Optional<Path> file, Choice choice)
+      throws IOException {
+    BufferedInputStream text = new BufferedInputStream(PlainText.of(name, in), Head.LENGTH);
+    Optional<Format> format = Formats.of(Head.of(text));
+    if (format.isEmpty()) {
+      return PointDocument.of(JsonText.read(name, text), choice);
     }
-    int next = afterSpace(head, brace + 1);
-    return next == head.length || "+-.0123456789".indexOf(head[next]) < 0;
-  }
-
-  private static int afterSpace(byte[] head, int from) {
-    int i = from;
-    while (i < head.length
-        && (head[i] < 0 || ByteLines.isBlank(head[i]) || head[i] == '\n' || head[i] == '\r')) {
-      i++;
-    }
-    return i;
+    Shapes shapes = format.get().read(new Input(name, text, file, choice.columns()));
+    return ChosenShape.of(name, shapes, choice);
   }
 
   /**

@@ -13,6 +13,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import dct.io.text.BadInputException;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
 import dct.problem.verify.WishLetters;

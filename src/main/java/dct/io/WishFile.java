@@ -3,6 +3,7 @@ package dct.io;
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.io.text.BadInputException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;

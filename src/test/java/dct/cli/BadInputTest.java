@@ -62,13 +62,9 @@ class BadInputTest {
             "2: byte 0xE4 is not UTF-8, the text may be Latin-1; save it as UTF-8"),
         bad("garbage", "garbage\n".repeat(1_000_000), "1: \"garbage\" is not a number; " + FORM),
         bad(
-            "duplicate consecutive vertices",
-            "# head\n0 0\n4 0\n4 0\n0 4\n",
-            "4: vertices v1 and v2 are both at (4, 0); remove one of them" + HINT),
-        bad(
-            "closed by its first vertex",
-            "0 0\n4 0\n0 4\n0 0\n",
-            "4: vertices v0 and v3 are both at (0, 0); remove one of them" + HINT),
+            "a vertex twice",
+            "# head\n0 0\n4 0\n4 4\n4 0\n0 4\n",
+            "5: vertices v1 and v3 are both at (4, 0); remove one of them" + HINT),
         bad(
             "on one line",
             "0 0\n1 1\n2 2\n5 5\n",

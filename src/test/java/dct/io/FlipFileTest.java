@@ -12,6 +12,7 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
+import dct.io.text.BadInputException;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

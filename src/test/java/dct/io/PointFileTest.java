@@ -8,6 +8,7 @@ import dct.core.SeededRandom;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
+import dct.io.text.BadInputException;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

@@ -16,6 +16,7 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
+import dct.io.text.BadInputException;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.io.text.BadInputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

@@ -1,6 +1,6 @@
 package dct.experiment.study;
 
-import dct.io.BadInputException;
+import dct.io.text.BadInputException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

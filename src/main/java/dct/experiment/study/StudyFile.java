@@ -2,9 +2,9 @@ package dct.experiment.study;
 
 import dct.core.Progress;
 import dct.io.AtomicFile;
-import dct.io.BadInputException;
 import dct.io.CannotWriteException;
 import dct.io.FileLease;
+import dct.io.text.BadInputException;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

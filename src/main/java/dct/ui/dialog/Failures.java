@@ -3,7 +3,7 @@ package dct.ui.dialog;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.experiment.generate.CannotGenerateException;
-import dct.io.BadInputException;
+import dct.io.text.BadInputException;
 import java.awt.Component;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;

@@ -7,6 +7,7 @@ import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
+import dct.io.format.Choice;
 import dct.ui.command.CommandRegistry;
 import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
@@ -127,7 +128,7 @@ public final class SelectionCommands {
         .jobs()
         .read(
             "Pasting",
-            progress -> parse(text.get()),
+            progress -> parse(text.get(), domain),
             points -> {
               if (workbench.isChosen(domain)) {
                 Points distinct =
@@ -147,10 +148,11 @@ public final class SelectionCommands {
     }
   }
 
-  private static Points parse(String text) {
+  private static Points parse(String text, Domain domain) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     try {
-      return PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes)).points();
+      return PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes), Choice.NONE.as(domain))
+          .points();
     } catch (IOException e) {
       throw new UncheckedIOException(e); // an array has no errors
     }

@@ -5,7 +5,6 @@ import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
-import dct.io.BadInputException;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileNames;
@@ -13,6 +12,8 @@ import dct.io.FileStamp;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.format.Choice;
+import dct.io.text.BadInputException;
 import dct.problem.Method;
 import dct.problem.Solution;
 import dct.problem.verify.Verdict;
@@ -23,6 +24,8 @@ import dct.ui.document.Origin;
 import dct.ui.document.Result;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /** Reads and writes the files of documents, in the background. */
@@ -49,29 +52,28 @@ public final class DocumentFile {
   static Read read(Path typed, Domain otherwise, Progress progress) {
     Path file = FileNames.forOpening(typed);
     Optional<FileStamp> stamp = FileStamp.of(file); // first, so that a change after it is seen
-    PointDocument read = PointFile.read(file, progress);
-    Domain domain = read.declared().orElse(otherwise);
-    PointDocument declared = read.declared(domain);
-    declared.checkOneRing();
-    Points points = declared.points();
+    PointDocument read = PointFile.read(file, Choice.NONE.otherwise(otherwise), progress);
+    Points points = read.points();
     if (points.size() == 0) {
       throw new BadInputException(
           file.toString(), 0, "there are no points in it; choose another file");
     }
-    return read(declared, new Origin(file, stamp), progress);
+    return read(read, new Origin(file, stamp), progress);
   }
 
   private static Read read(PointDocument read, Origin origin, Progress progress) {
     Optional<Verdict> verdict = read.verified(progress);
     Optional<Solution> solution = read.solution(progress);
     Points points = read.points();
-    Domain domain = read.declared().orElseThrow();
+    Domain domain = read.domain();
     Points kept = domain == Domain.SITES ? Sites.of(points, progress).points() : points;
     int merged = points.size() - kept.size();
-    String remark =
-        merged > 0
-            ? merged + " sites were there already and have been merged"
-            : verdict.flatMap(v -> v.first(Outcome.OPEN)).map(Check::detail).orElse("");
+    List<String> remarks = new ArrayList<>(read.notes());
+    if (merged > 0) {
+      remarks.add(merged + " sites were there already and have been merged");
+    }
+    verdict.flatMap(v -> v.first(Outcome.OPEN)).map(Check::detail).ifPresent(remarks::add);
+    String remark = String.join("; ", remarks);
     Optional<Result> result =
         solution.filter(made -> !isAutomatic(made)).map(made -> result(domain, made));
     Document document = new Document(domain, kept, wishes(read, kept.size()), result);

@@ -3,6 +3,7 @@ package dct.ui.file;
 import dct.core.triangulate.Domain;
 import dct.io.FileNames;
 import dct.io.PointFile;
+import dct.io.format.Choice;
 import dct.ui.document.Document;
 import java.io.IOException;
 import java.io.InputStream;
@@ -61,7 +62,8 @@ public final class Samples {
       if (in == null) {
         throw new IllegalStateException("the program lacks its sample " + name);
       }
-      return new Document(domain(name), PointFile.read(name, in).points());
+      return new Document(
+          domain(name), PointFile.read(name, in, Choice.NONE.as(domain(name))).points());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,9 +1,9 @@
 package dct.ui.session;
 
 import dct.core.Progress;
-import dct.io.BadInputException;
 import dct.io.FileLease;
 import dct.io.PointFile;
+import dct.io.text.BadInputException;
 import dct.problem.Solution;
 import dct.ui.document.Document;
 import dct.ui.document.Origin;

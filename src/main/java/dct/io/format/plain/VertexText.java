@@ -1,11 +1,18 @@
-package dct.io;
+package dct.io.format.plain;
 
 import dct.core.Decimals;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.io.format.PointColumns;
+import dct.io.format.Shape;
+import dct.io.format.Shapes;
+import dct.io.text.BadInputException;
+import dct.io.text.ByteLines;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -15,13 +22,13 @@ import java.util.regex.Pattern;
  * Reads the program's own text format: a vertex a line, {@code x y}.
  *
  * <p>The numbers are separated by blanks, tabs, one comma or one semicolon. {@code #} at the start
- * of a line or after a blank, a comma or a semicolon starts a comment; blank lines are skipped, and
- * where they part groups of vertices that could be rings, the document says so. A comment line
- * {@code # kind: polygon} or {@code # kind: points} says what the points are. A first line with
- * nothing but the number of vertices that follow is skipped, too; every other line of counts is
- * refused. Linear; ordinary lines make no objects.
+ * of a line or after a blank, a comma or a semicolon starts a comment; blank lines are skipped, but
+ * where they part groups of vertices that could be rings, each is a shape. A comment line {@code #
+ * kind: polygon} or {@code # kind: points} says what the points are. A first line with nothing but
+ * the number of vertices that follow is skipped, too; every other line of counts is refused.
+ * Linear; ordinary lines make no objects.
  */
-final class VertexText {
+public final class VertexText {
   private static final Pattern KIND =
       Pattern.compile("#\\s*kind\\s*:\\s*(\\w+)\\s*", Pattern.CASE_INSENSITIVE);
 
@@ -42,15 +49,15 @@ final class VertexText {
    *
    * @throws BadInputException at the first line that is wrong
    */
-  static PointDocument read(String name, InputStream in) throws IOException {
+  public static Shapes read(String name, InputStream in) throws IOException {
     VertexText text = new VertexText(name, new ByteLines(in));
     while (text.lines.next()) {
       text.line();
     }
-    return text.document();
+    return text.shapes();
   }
 
-  private PointDocument document() {
+  private Shapes shapes() {
     if (points.size() == 0) {
       throw new BadInputException(
           name,
@@ -67,7 +74,24 @@ final class VertexText {
     if (kind.isEmpty()) { // else the program wrote it, and no counts
       layout.check(read, numbers);
     }
-    return new PointDocument(name, kind, read, numbers, layout.secondRing(numbers));
+    return new Shapes(PlainFormat.TITLE, shapes(read, numbers), List.of());
+  }
+
+  private List<Shape> shapes(Points read, int[] numbers) {
+    Shape.Kind is =
+        kind.map(domain -> domain == Domain.SITES ? Shape.Kind.SITES : Shape.Kind.RING)
+            .orElse(Shape.Kind.POINTS);
+    int[] starts = is == Shape.Kind.SITES ? new int[1] : layout.groups(read.size());
+    List<Shape> shapes = new ArrayList<>();
+    for (int g = 0; g < starts.length; g++) {
+      int end = g + 1 < starts.length ? starts[g + 1] : read.size();
+      PointColumns group = new PointColumns();
+      for (int v = starts[g]; v < end; v++) {
+        group.add(read.x(v), read.y(v), numbers[v]);
+      }
+      shapes.add(Shape.of(is, "", group));
+    }
+    return shapes;
   }
 
   private void line() throws IOException {
@@ -165,7 +189,7 @@ final class VertexText {
   }
 
   /** The comment line that says what the points are. */
-  static String kindLine(Domain domain) {
+  public static String kindLine(Domain domain) {
     return "# kind: " + domain.word();
   }
 }

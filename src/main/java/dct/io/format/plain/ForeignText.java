@@ -1,11 +1,11 @@
-package dct.io;
+package dct.io.format.plain;
 
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 
 /** Forms of other programs, told by a line that is not a vertex. */
-enum ForeignText {
+public enum ForeignText {
   WKT(
       "(?i)(SRID=\\d+;)?\\s*(MULTI)?(POLYGON|POINT|LINESTRING|GEOMETRYCOLLECTION|TRIANGLE|TIN)\\b.*",
       "this looks like WKT; write one vertex a line, as two numbers x y"),
@@ -59,7 +59,7 @@ enum ForeignText {
   }
 
   /** What an object of JSON looks like that has these fields and no points. */
-  static Optional<String> json(Set<String> fields) {
+  public static Optional<String> json(Set<String> fields) {
     if (fields.contains("points_x") && fields.contains("points_y")) {
       return Optional.of("this looks like an instance of CG:SHOP");
     }

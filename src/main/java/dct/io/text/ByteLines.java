@@ -1,4 +1,4 @@
-package dct.io;
+package dct.io.text;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -10,8 +10,8 @@ import java.io.InputStream;
  * may be {@value #LONGEST} bytes long; of a longer one that much is given and {@link #isCut} says
  * so.
  */
-final class ByteLines {
-  static final int LONGEST = 1 << 16;
+public final class ByteLines {
+  public static final int LONGEST = 1 << 16;
 
   private final InputStream in;
   private final byte[] buffer = new byte[LONGEST];
@@ -23,7 +23,7 @@ final class ByteLines {
   private boolean afterCr;
   private boolean cut;
 
-  ByteLines(InputStream in) throws IOException {
+  public ByteLines(InputStream in) throws IOException {
     this.in = in;
     while (filled < 3 && fill()) {
       // a byte-order mark is looked for in the first three bytes
@@ -37,7 +37,7 @@ final class ByteLines {
   }
 
   /** Goes to the next line, if there is one. */
-  boolean next() throws IOException {
+  public boolean next() throws IOException {
     skipLfAfterCr();
     start = next;
     int i = next;
@@ -58,7 +58,7 @@ final class ByteLines {
   }
 
   /** Skips what is left of a line that is cut, which is empty then. */
-  void skipRest() throws IOException {
+  public void skipRest() throws IOException {
     while (cut) {
       start = 0;
       next = 0;
@@ -121,37 +121,37 @@ final class ByteLines {
   }
 
   /** The bytes, of which the current line is a part. */
-  byte[] bytes() {
+  public byte[] bytes() {
     return buffer;
   }
 
   /** Where the current line starts. */
-  int start() {
+  public int start() {
     return start;
   }
 
   /** Where the current line ends. */
-  int end() {
+  public int end() {
     return end;
   }
 
   /** Where the bytes end that have been read so far; some of them follow the current line. */
-  int ahead() {
+  public int ahead() {
     return filled;
   }
 
   /** The number of the current line, from 1 on; 0 before the first. */
-  int number() {
+  public int number() {
     return number;
   }
 
   /** Whether the current line is longer than {@link #LONGEST}. */
-  boolean isCut() {
+  public boolean isCut() {
     return cut;
   }
 
   /** White space within a line. */
-  static boolean isBlank(byte b) {
+  public static boolean isBlank(byte b) {
     return b == ' ' || b == '\t' || b == 0x0B || b == '\f';
   }
 }

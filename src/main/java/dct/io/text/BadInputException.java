@@ -1,4 +1,4 @@
-package dct.io;
+package dct.io.text;
 
 /**
  * Input that cannot be used.
@@ -6,7 +6,7 @@ package dct.io;
  * <p>Its message is one line for a person: {@code FILE:LINE: what is wrong; what would mend it}, or
  * without the line where there is none.
  */
-public final class BadInputException extends RuntimeException {
+public class BadInputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   private final String file;

@@ -1,16 +1,16 @@
-package dct.io;
+package dct.io.format;
 
 import dct.core.geometry.Points;
 import java.util.Arrays;
 
 /** A growing list of points and the lines that they stand on. */
-final class PointColumns {
+public final class PointColumns {
   private double[] x = new double[16];
   private double[] y = new double[16];
   private int[] line = new int[16];
   private int size;
 
-  void add(double px, double py, int pointLine) {
+  public void add(double px, double py, int pointLine) {
     if (size == x.length) {
       int longer = Math.multiplyExact(2, size);
       x = Arrays.copyOf(x, longer);
@@ -22,15 +22,15 @@ final class PointColumns {
     line[size++] = pointLine;
   }
 
-  int size() {
+  public int size() {
     return size;
   }
 
-  Points points() {
+  public Points points() {
     return Points.of(Arrays.copyOf(x, size), Arrays.copyOf(y, size));
   }
 
-  int[] lines() {
+  public int[] lines() {
     return Arrays.copyOf(line, size);
   }
 }

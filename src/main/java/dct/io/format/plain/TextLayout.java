@@ -1,6 +1,10 @@
-package dct.io;
+package dct.io.format.plain;
 
 import dct.core.geometry.Points;
+import dct.io.text.BadInputException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * What the lines of a text tell beside its vertices: how many there are, and groups that could be
@@ -12,7 +16,7 @@ import dct.core.geometry.Points;
  * number of columns), where the same goes on until the last line (rings one after the other), or
  * where as many vertices and edges follow.
  */
-final class TextLayout {
+public final class TextLayout {
   private static final int SMALLEST_RING = 3;
 
   private final String name;
@@ -22,7 +26,7 @@ final class TextLayout {
   private boolean startsWithComma; // or semicolon, between them
   private boolean moreWhole; // another vertex has a whole number
   private int groupStart; // the first vertex of the present group
-  private int gap; // the first vertex behind a blank line, 0 before there is one
+  private final List<Integer> gaps = new ArrayList<>(); // the first vertex behind each blank line
   private boolean hasRing; // a group has enough vertices
 
   /** The layout of a text, which messages call by this name. */
@@ -69,7 +73,7 @@ final class TextLayout {
   void blankLine(int vertices) {
     if (vertices > groupStart) {
       endGroup(vertices);
-      gap = gap == 0 ? vertices : gap;
+      gaps.add(vertices);
     }
   }
 
@@ -79,13 +83,18 @@ final class TextLayout {
   }
 
   /**
-   * The line where another ring may begin: that of the first vertex behind a blank line, if a group
-   * between blank lines has enough vertices for a ring. 0 if there is none: single vertices with
-   * blank lines between them are one ring.
+   * The first vertex of each group between blank lines, if one of them has enough vertices for a
+   * ring; otherwise 0 alone: single vertices with blank lines between them are one ring.
+   *
+   * @param vertices how many there are
    */
-  int secondRing(int[] lines) {
-    endGroup(lines.length);
-    return hasRing && gap > 0 && gap < lines.length ? lines[gap] : 0;
+  int[] groups(int vertices) {
+    endGroup(vertices);
+    return hasRing
+        ? IntStream.concat(IntStream.of(0), gaps.stream().mapToInt(Integer::intValue))
+            .filter(start -> start < vertices)
+            .toArray()
+        : new int[1];
   }
 
   /**
@@ -125,7 +134,7 @@ final class TextLayout {
   }
 
   /** Whether the first of these points, written as whole numbers, would be taken for counts. */
-  static boolean looksLikeCounts(Points points) {
+  public static boolean looksLikeCounts(Points points) {
     return points.size() > 0 && (isCounts(points) || isCountsOfEdges(points));
   }
 

@@ -1,6 +1,9 @@
-package dct.io;
+package dct.io.format.plain;
 
 import dct.core.Decimals;
+import dct.io.text.BadInputException;
+import dct.io.text.ByteLines;
+import dct.io.text.Shown;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -13,7 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** Finds out what is wrong in a line of text that is not a vertex, and what would mend it. */
-final class LineFault {
+public final class LineFault {
   private static final String FORM = "write one vertex a line, as two numbers x y";
   private static final Pattern DECIMAL_COMMA =
       Pattern.compile("[+-]?[0-9][0-9.]*,[0-9]+([eE][+-]?[0-9]+)?");

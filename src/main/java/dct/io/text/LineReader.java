@@ -1,4 +1,4 @@
-package dct.io;
+package dct.io.text;
 
 import java.io.IOException;
 import java.io.Reader;
@@ -7,12 +7,12 @@ import java.io.Reader;
  * Gives its characters at most a line at a time, so that its caller knows the line that they are
  * in, however it buffers.
  */
-final class LineReader extends Reader {
+public final class LineReader extends Reader {
   private final Reader in;
   private int line = 1;
   private boolean atLineEnd;
 
-  LineReader(Reader in) {
+  public LineReader(Reader in) {
     this.in = in;
   }
 
@@ -32,7 +32,7 @@ final class LineReader extends Reader {
   }
 
   /** The line of the last character given, from 1 on. */
-  int line() {
+  public int line() {
     return line;
   }
 

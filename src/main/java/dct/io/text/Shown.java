@@ -1,4 +1,4 @@
-package dct.io;
+package dct.io.text;
 
 import java.util.Locale;
 
@@ -9,7 +9,7 @@ public final class Shown {
   private Shown() {}
 
   /** A word of a file: cut if it is long, with every invisible character named. */
-  static String word(String word) {
+  public static String word(String word) {
     boolean isLong = word.length() > LONGEST;
     return harmless(isLong ? word.substring(0, LONGEST) + "…" : word);
   }
@@ -42,7 +42,7 @@ public final class Shown {
   }
 
   /** A character by its number and name. */
-  static String named(int c) {
+  public static String named(int c) {
     String name = Character.getName(c);
     return name == null ? number(c) : number(c) + " (" + name + ")";
   }

@@ -1,0 +1,24 @@
+package dct.io;
+
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.plain.PlainFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/** The formats that shapes are read from; the first that fits a file's start is taken. */
+public final class Formats {
+  private static final Pattern NUMBER_IN_BRACE = Pattern.compile("\\{\\s*[-+.0-9{]");
+  private static final List<Format> FOREIGN = List.of();
+  private static final Format PLAIN = new PlainFormat();
+
+  private Formats() {}
+
+  /** The format of a file that starts so; nothing if it is the program's own JSON. */
+  static Optional<Format> of(Head head) {
+    Optional<Format> foreign = FOREIGN.stream().filter(format -> format.fits(head)).findFirst();
+    boolean isOwnJson = head.first() == '{' && !head.startsWith(NUMBER_IN_BRACE);
+    return foreign.isPresent() || isOwnJson ? foreign : Optional.of(PLAIN);
+  }
+}

@@ -1,0 +1,70 @@
+package dct.io.format;
+
+import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.problem.verify.ClaimedEdges;
+import java.util.Optional;
+
+/**
+ * A list of points that a file holds.
+ *
+ * <p>The points are finite, no more has been checked. A ring does not repeat its first vertex at
+ * its end where its format asks for that; where people may or may not have written it, it still
+ * does.
+ *
+ * @param kind what the points are
+ * @param label what lists call it: a name that stands in the file; may be empty
+ * @param points the points in the order of the file
+ * @param lines the line of each point, from 1 on
+ * @param edges the edges of a triangulation of the points, if the file holds one
+ */
+public record Shape(
+    Kind kind, String label, Points points, int[] lines, Optional<ClaimedEdges> edges) {
+
+  /** What the points of a shape are. */
+  public enum Kind {
+    /** The boundary of a polygon. */
+    RING("ring"),
+    /** The boundary of a hole in the nearest ring before it. */
+    HOLE("hole"),
+    /** A sequence of vertices that is not closed; it is read as a ring. */
+    PATH("path"),
+    /** Points without an order that means anything. */
+    SITES("sites"),
+    /** The file does not tell whether they are a ring or sites. */
+    POINTS("points");
+
+    private final String word;
+
+    Kind(String word) {
+      this.word = word;
+    }
+
+    /** The word for it in lists. */
+    public String word() {
+      return word;
+    }
+  }
+
+  /** A shape without edges. */
+  public static Shape of(Kind kind, String label, PointColumns columns) {
+    return new Shape(kind, label, columns.points(), columns.lines(), Optional.empty());
+  }
+
+  /** What the shape is said to be; nothing if the file does not tell. */
+  public Optional<Domain> domain() {
+    return switch (kind) {
+      case RING, HOLE, PATH -> Optional.of(Domain.POLYGON);
+      case SITES -> Optional.of(Domain.SITES);
+      case POINTS -> Optional.empty();
+    };
+  }
+
+  /** One line for a list: its name, what it is, and its size. */
+  public String description() {
+    int n = points.size();
+    boolean isList = kind == Kind.SITES || kind == Kind.POINTS;
+    String what = isList ? n + " " + kind.word() : kind.word() + " of " + n + " vertices";
+    return label.isEmpty() ? what : label + ", " + what;
+  }
+}

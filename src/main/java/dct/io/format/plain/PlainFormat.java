@@ -1,0 +1,27 @@
+package dct.io.format.plain;
+
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.Input;
+import dct.io.format.Shapes;
+import java.io.IOException;
+
+/** Text with a vertex a line; what no other format fits is taken for it. */
+public final class PlainFormat implements Format {
+  static final String TITLE = "Text";
+
+  @Override
+  public String title() {
+    return TITLE;
+  }
+
+  @Override
+  public boolean fits(Head head) {
+    return true;
+  }
+
+  @Override
+  public Shapes read(Input input) throws IOException {
+    return VertexText.read(input.name(), input.in());
+  }
+}
