@@ -39,6 +39,7 @@ import dct.ui.menu.MenuTable;
 import dct.ui.menu.ToolBar;
 import dct.ui.menu.ViewCommands;
 import dct.ui.random.RandomCommands;
+import dct.ui.result.Arrangement;
 import dct.ui.result.ViewArea;
 import dct.ui.session.Journal;
 import dct.ui.session.Orphan;
@@ -344,6 +345,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     Settings settings = session.settings();
     canvas.setLabels(new Labels(settings.isOn("labels.numbers"), settings.isOn("labels.degrees")));
     workbench.setShowsBound(settings.isOn("view.bound"));
+    results.arrange(Arrangement.of(settings.get("results.arrangement").orElse("")));
     results.setInWindow(settings.isOn("results.inWindow"));
     if (settings.isOn("view.yUp")) {
       canvas.setViewport(canvas.viewport().flipped(0, 0));
@@ -356,6 +358,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     settings.put("labels.numbers", canvas.labels().numbers());
     settings.put("labels.degrees", canvas.labels().degrees());
     settings.put("view.bound", workbench.showsBound());
+    settings.put("results.arrangement", results.arrangement().word());
     settings.put("results.inWindow", results.isInWindow());
     settings.put("view.yUp", canvas.viewport().yUp());
     Placement.remember(this, settings);

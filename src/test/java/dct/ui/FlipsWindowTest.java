@@ -11,6 +11,7 @@ import dct.problem.Solution;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
+import dct.ui.result.HintText;
 import dct.ui.solve.ResultFrame;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
@@ -257,7 +258,7 @@ class FlipsWindowTest extends WindowTest {
 
   private String status(ResultFrame result) {
     return onEventThread(
-        () -> robot.finder().findByName(result, "status", JLabel.class, true).getText());
+        () -> robot.finder().findByName(result, "status", HintText.class, true).getText());
   }
 
   private String place() {

@@ -7,10 +7,12 @@ import dct.ui.canvas.CanvasPanel;
 import dct.ui.result.ResultView;
 import dct.ui.solve.ResultFrame;
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
 /** Results in frames and in the window, linked, compared and listed. */
@@ -61,6 +63,36 @@ class ViewsWindowTest extends WindowTest {
     perform("Results in This Window");
     await("the frame", () -> results().size() == 1);
     assertThat(views()).isEmpty();
+  }
+
+  @Test
+  void viewsAreArrangedAndMovedAndThatIsRemembered() {
+    draw();
+    perform("Results in This Window");
+    perform("Monotone Polygon Triangulation");
+    perform("Perform Flip");
+    await("both views", () -> views().size() == 2);
+    perform("Views Side by Side");
+    await("beside each other", () -> place(0).y == place(1).y && place(0).x < place(1).x);
+    perform("Views Stacked");
+    await("below each other", () -> place(0).x == place(1).x && place(0).y < place(1).y);
+    List<Component> before = views();
+    perform("Move View Left");
+    await("the other is first", () -> views().equals(List.of(before.get(1), before.get(0))));
+    assertThat(onEventThread(() -> window.commands().get("Move View Left").isEnabled())).isFalse();
+    assertThat(onEventThread(() -> window.commands().get("Move View Right").isEnabled())).isTrue();
+    perform("Views as Tabs");
+    await("one at a time", () -> views().size() == 1);
+    onEventThread(
+        () -> {
+          window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_DEACTIVATED));
+          return null;
+        });
+    assertThat(onEventThread(() -> session.settings().get("results.arrangement"))).hasValue("tabs");
+  }
+
+  private Point place(int view) {
+    return onEventThread(() -> SwingUtilities.convertPoint(views().get(view), new Point(), window));
   }
 
   @Test

@@ -46,7 +46,16 @@ public final class BoundNote {
     }
     solution.filter(now -> !now.equals(asked) && !isKnown(now)).ifPresent(this::find);
     canvas.setRemark(
-        solution.filter(this::isKnown).map(now -> known.orElseThrow().words(now)).orElse(""));
+        solution
+            .filter(this::isKnown)
+            .filter(BoundNote::isSilent)
+            .map(now -> known.orElseThrow().words(now))
+            .orElse(""));
+  }
+
+  /** The counts of an optimum say themselves how good it is. */
+  private static boolean isSilent(Solution solution) {
+    return solution.optimum().isEmpty() || solution.flips().isPresent();
   }
 
   private boolean isKnown(Solution solution) {

@@ -1,11 +1,16 @@
 package dct.ui.result;
 
+import dct.core.geometry.Box;
+import dct.ui.canvas.CanvasPanel;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -16,24 +21,32 @@ import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 
 /**
- * Shows views beside the drawing: one to its right, two there above each other, more as tabs. Keys
- * go to the view that has the focus, and else to the window.
+ * Shows views beside or below the drawing, or as tabs there; see {@link Arrangement}. Keys go to
+ * the view that has the focus, and else to the window.
  */
 public final class ViewArea extends JPanel implements ViewHost {
   private static final long serialVersionUID = 1L;
-  private static final int WITHOUT_TABS = 2;
 
-  private final JComponent drawing;
+  private final CanvasPanel drawing;
   private final transient Consumer<Boolean> whenShared;
-  private final List<ResultView> views = new ArrayList<>(); // as shown, from the oldest on
+  private final List<ResultView> views = new ArrayList<>(); // as shown, from left to right
+  private ResultView used; // last
+  private Arrangement arrangement = Arrangement.AUTO;
   private final JTabbedPane tabs = new JTabbedPane();
+  private final transient FocusAdapter use =
+      new FocusAdapter() {
+        @Override
+        public void focusGained(FocusEvent e) {
+          used = (ResultView) SwingUtilities.getAncestorOfClass(ResultView.class, e.getComponent());
+        }
+      };
 
   /**
    * An area that shows nothing but the drawing.
    *
    * @param whenShared is told whether views take room from the drawing
    */
-  public ViewArea(JComponent drawing, Consumer<Boolean> whenShared) {
+  public ViewArea(CanvasPanel drawing, Consumer<Boolean> whenShared) {
     super(new BorderLayout());
     this.drawing = drawing;
     this.whenShared = whenShared;
@@ -45,9 +58,43 @@ public final class ViewArea extends JPanel implements ViewHost {
     add(drawing, BorderLayout.CENTER);
   }
 
+  /** How the views share the room. */
+  public Arrangement arrangement() {
+    return arrangement;
+  }
+
+  /** Lets the views share the room in another way. */
+  public void setArrangement(Arrangement other) {
+    arrangement = other;
+    layOut();
+  }
+
+  /** Whether the view in use can be moved by so many places. */
+  public boolean canMove(int places) {
+    int to = inUse() + places;
+    return !views.isEmpty() && to >= 0 && to < views.size();
+  }
+
+  /** Moves the view in use by so many places, to the right or downwards if positive. */
+  public void move(int places) {
+    if (canMove(places)) {
+      ResultView view = views.get(inUse());
+      Collections.swap(views, inUse(), inUse() + places);
+      layOut();
+      toFront(view);
+    }
+  }
+
+  /** The place of the view that was used last; of the newest if it is gone. */
+  private int inUse() {
+    return views.contains(used) ? views.indexOf(used) : views.size() - 1;
+  }
+
   @Override
   public void show(ResultView view, Optional<ResultView> beside) {
     views.add(view);
+    used = view;
+    view.canvas().addFocusListener(use);
     view.setMinimumSize(new Dimension());
     view.bindKeys();
     SwingUtilities.updateComponentTreeUI(view); // the look may have changed while it was away
@@ -65,6 +112,7 @@ public final class ViewArea extends JPanel implements ViewHost {
   @Override
   public void hide(ResultView view) {
     if (views.remove(view)) {
+      view.canvas().removeFocusListener(use);
       layOut();
     }
   }
@@ -81,6 +129,7 @@ public final class ViewArea extends JPanel implements ViewHost {
 
   @Override
   public void toFront(ResultView view) {
+    used = view;
     if (tabs.indexOfComponent(view) >= 0) {
       tabs.setSelectedComponent(view);
     }
@@ -92,7 +141,7 @@ public final class ViewArea extends JPanel implements ViewHost {
     Component selected = tabs.getSelectedComponent();
     tabs.removeAll();
     removeAll();
-    add(views.isEmpty() ? drawing : split(JSplitPane.HORIZONTAL_SPLIT, drawing, right()));
+    add(views.isEmpty() ? drawing : shared());
     if (tabs.indexOfComponent(selected) >= 0) {
       tabs.setSelectedComponent(selected);
     }
@@ -100,16 +149,26 @@ public final class ViewArea extends JPanel implements ViewHost {
     repaint();
   }
 
-  private JComponent right() {
-    if (views.size() > WITHOUT_TABS) {
+  private JComponent shared() {
+    Box drawn = drawing.scene().bounds().orElse(new Box(0, 0, 1, 1));
+    boolean below = arrangement.isBelow(drawn, getSize());
+    int along = below ? JSplitPane.VERTICAL_SPLIT : JSplitPane.HORIZONTAL_SPLIT;
+    if (arrangement.isTabbed(views.size())) {
       SwingUtilities.updateComponentTreeUI(tabs);
       views.forEach(this::addTab);
-      return tabs;
+      return split(along, drawing, tabs, 2);
     }
-    JComponent first = titled(views.get(0));
-    return views.size() == 1
-        ? first
-        : split(JSplitPane.VERTICAL_SPLIT, first, titled(views.get(1)));
+    if (arrangement == Arrangement.AUTO) { // two share the room that one would have
+      int across = below ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT;
+      return split(along, drawing, inRow(across, views), 2);
+    }
+    return split(along, drawing, inRow(along, views), views.size() + 1);
+  }
+
+  private static JComponent inRow(int along, List<ResultView> row) {
+    JComponent first = titled(row.get(0));
+    int count = row.size();
+    return count == 1 ? first : split(along, first, inRow(along, row.subList(1, count)), count);
   }
 
   private void addTab(ResultView view) {
@@ -125,26 +184,28 @@ public final class ViewArea extends JPanel implements ViewHost {
     return titled;
   }
 
-  private static JSplitPane split(int orientation, JComponent first, JComponent second) {
+  /** Two parts, the first of which gets one of so many shares of the room. */
+  private static JSplitPane split(
+      int orientation, JComponent first, JComponent second, int shares) {
     JSplitPane split = new JSplitPane(orientation, true, first, second);
     split.setName("split");
     split.setBorder(null);
-    split.setResizeWeight(0.5);
-    split.addComponentListener(new Halves(split));
+    split.setResizeWeight(1.0 / shares);
+    split.addComponentListener(new Shares(split));
     return split;
   }
 
-  /** Gives both sides of a split the same room when it is shown first. */
-  private static final class Halves extends ComponentAdapter {
+  /** Gives the parts of a split their shares of the room when it is shown first. */
+  private static final class Shares extends ComponentAdapter {
     private final JSplitPane split;
 
-    Halves(JSplitPane split) {
+    Shares(JSplitPane split) {
       this.split = split;
     }
 
     @Override
     public void componentResized(ComponentEvent e) {
-      split.setDividerLocation(0.5);
+      split.setDividerLocation(split.getResizeWeight());
       split.removeComponentListener(this);
     }
   }

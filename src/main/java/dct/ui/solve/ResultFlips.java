@@ -15,6 +15,7 @@ import dct.ui.explain.BoundNote;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
 import dct.ui.flip.FlipSource;
+import dct.ui.result.HintText;
 import dct.ui.result.ResultView;
 import dct.ui.tool.FlipTool;
 import dct.ui.tool.ToolContext;
@@ -25,7 +26,6 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /**
@@ -36,7 +36,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
   private final ResultView view;
   private final Editor editor;
   private final BooleanSupplier current;
-  private final JLabel status = new JLabel(" ");
+  private final HintText status = new HintText();
   private final FlipDesk desk;
   private final FlipTool tool;
   private final FlipCommands commands;
@@ -76,15 +76,19 @@ public final class ResultFlips implements FlipSource, ToolContext {
   }
 
   private void layOut() {
-    status.setName("status");
-    status.getAccessibleContext().setAccessibleName("Status");
-    JLabel aside = new JLabel();
+    HintText aside = new HintText();
     aside.setName("aside");
-    view.canvas().setAside(aside::setText);
+    aside.setVisible(false);
+    view.canvas()
+        .setAside(
+            words -> {
+              aside.say(words);
+              aside.setVisible(!words.isEmpty());
+            });
     JPanel line = new JPanel(new BorderLayout(12, 0));
     line.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
     line.add(status, BorderLayout.CENTER);
-    line.add(aside, BorderLayout.EAST);
+    line.add(aside, BorderLayout.NORTH);
     JPanel below = new JPanel(new BorderLayout());
     below.add(commands.panel(), BorderLayout.CENTER);
     below.add(line, BorderLayout.SOUTH);
@@ -177,6 +181,6 @@ public final class ResultFlips implements FlipSource, ToolContext {
 
   @Override
   public void say(String message) {
-    status.setText(message.isEmpty() ? " " : message);
+    status.say(message);
   }
 }

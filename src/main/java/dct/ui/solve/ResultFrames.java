@@ -7,6 +7,7 @@ import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
+import dct.ui.result.Arrangement;
 import dct.ui.result.ResultView;
 import dct.ui.result.ViewArea;
 import dct.ui.result.ViewHost;
@@ -87,6 +88,26 @@ public final class ResultFrames {
   /** Whether views are shown within the window. */
   public boolean isInWindow() {
     return host == area;
+  }
+
+  /** How views share the window with the drawing. */
+  public Arrangement arrangement() {
+    return area.arrangement();
+  }
+
+  /** Lets views share the window with the drawing in another way. */
+  public void arrange(Arrangement arrangement) {
+    area.setArrangement(arrangement);
+  }
+
+  /** Whether the view in use within the window can be moved by so many places. */
+  boolean canMove(int places) {
+    return area.canMove(places);
+  }
+
+  /** Moves the view in use within the window by so many places. */
+  void move(int places) {
+    area.move(places);
   }
 
   /** Shows views within the window, or in frames of their own; those that are open, too. */

@@ -9,6 +9,7 @@ import dct.ui.command.CommandRegistry;
 import dct.ui.dialog.Placement;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import dct.ui.result.Arrangement;
 import dct.ui.result.ResultList;
 import dct.ui.result.ResultTable;
 import dct.ui.result.ResultView;
@@ -61,6 +62,7 @@ public final class ResultViewCommands {
             "Shows results beside the drawing instead of in frames of their own",
             () -> turn(() -> results.setInWindow(!results.isInWindow())))
         .selectedWhen(results::isInWindow);
+    offerArrangement(commands);
     commands
         .add(
             "Link Views",
@@ -89,6 +91,32 @@ public final class ResultViewCommands {
             "Lists all results of these points with their counts, bounds and times",
             this::showTable)
         .enabledWhen(() -> workbench.domain().isPresent());
+  }
+
+  private void offerArrangement(CommandRegistry commands) {
+    for (Arrangement arrangement : Arrangement.values()) {
+      commands
+          .add(
+              arrangement.title(),
+              "",
+              arrangement.description(),
+              () -> turn(() -> results.arrange(arrangement)))
+          .enabledWhen(results::isInWindow)
+          .selectedWhen(() -> results.arrangement() == arrangement);
+    }
+    offerMove(commands, "Move View Left", "ctrl shift LEFT", "before", -1);
+    offerMove(commands, "Move View Right", "ctrl shift RIGHT", "behind", 1);
+  }
+
+  private void offerMove(
+      CommandRegistry commands, String name, String key, String where, int places) {
+    commands
+        .add(
+            name,
+            key,
+            "Exchanges the view in use within this window with the one " + where + " it",
+            () -> turn(() -> results.move(places)))
+        .enabledWhen(() -> results.canMove(places));
   }
 
   /** Turns a switch that other windows show, too. */
