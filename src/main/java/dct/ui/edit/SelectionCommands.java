@@ -1,7 +1,6 @@
 package dct.ui.edit;
 
 import dct.core.Decimals;
-import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
@@ -24,7 +23,9 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * The commands for the vertices that are selected. The clipboard holds a line "x y" for each.
@@ -37,6 +38,7 @@ public final class SelectionCommands {
   private static final String CLIPBOARD = "the clipboard";
   private static final int ASIDE = 20; // steps of an arrow key
   private static final int TRIES = 100;
+  private static final int MOST_WORK = 3_000_000; // vertices looked at in all tries: 30 ms
 
   private final Workbench workbench;
 
@@ -128,12 +130,13 @@ public final class SelectionCommands {
         .jobs()
         .read(
             "Pasting",
-            progress -> parse(text.get(), domain),
+            progress -> {
+              Points read = parse(text.get(), domain);
+              return domain == Domain.SITES ? Sites.of(read, progress).points() : read;
+            },
             points -> {
               if (workbench.isChosen(domain)) {
-                Points distinct =
-                    domain == Domain.SITES ? Sites.of(points, Progress.NONE).points() : points;
-                insert("Paste", distinct, ParityGoal.allEven(distinct.size()), 0);
+                insert("Paste", points, ParityGoal.allEven(points.size()), 0);
               }
             });
   }
@@ -178,12 +181,16 @@ public final class SelectionCommands {
     workbench.select(Selection.range(first, first + points.size()));
   }
 
-  /** The points moved aside so that none of them is where a vertex is. */
+  /**
+   * The points moved aside so that none of them is where a vertex is; so many tries are made for it
+   * that nobody waits, and the last counts.
+   */
   private Points aside(Points there, Points points, int steps) {
     Snap snap = workbench.snap();
     double step = snap.isOn(Snap.To.GRID) ? snap.grid() : ASIDE * Spot.step(workbench.viewport());
+    int tries = Math.min(TRIES, 1 + MOST_WORK / Math.max(1, there.size() + points.size()));
     Points moved = points;
-    for (int k = steps; k < TRIES; k++) {
+    for (int k = steps; k < tries + steps; k++) {
       moved = shifted(points, k * step);
       if (!isAnyThere(there, moved)) {
         return moved;
@@ -202,15 +209,32 @@ public final class SelectionCommands {
     return Points.of(x, y);
   }
 
+  /** In linear time, and with a table of the fewer points only. */
   private static boolean isAnyThere(Points there, Points points) {
-    double[] x = java.util.Arrays.copyOf(there.xs(), there.size() + points.size());
-    double[] y = java.util.Arrays.copyOf(there.ys(), x.length);
-    System.arraycopy(points.xs(), 0, x, there.size(), points.size());
-    System.arraycopy(points.ys(), 0, y, there.size(), points.size());
-    return merged(Points.of(x, y)) > merged(there) + merged(points);
+    Set<Long> places = new HashSet<>();
+    for (int k = 0; k < points.size(); k++) {
+      places.add(place(points, k));
+    }
+    for (int v = 0; v < there.size(); v++) {
+      if (places.contains(place(there, v)) && isAmong(points, there.x(v), there.y(v))) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  private static int merged(Points points) {
-    return Sites.of(points, Progress.NONE).merged();
+  /** The same for the same place, and hardly ever for others. */
+  private static long place(Points points, int v) {
+    return (Double.doubleToLongBits(points.x(v)) * 0x9E3779B97F4A7C15L)
+        ^ Double.doubleToLongBits(points.y(v));
+  }
+
+  private static boolean isAmong(Points points, double x, double y) {
+    for (int k = 0; k < points.size(); k++) {
+      if (points.x(k) == x && points.y(k) == y) {
+        return true;
+      }
+    }
+    return false;
   }
 }
