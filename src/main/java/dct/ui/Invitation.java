@@ -32,7 +32,7 @@ final class Invitation extends JPanel {
         "Open"),
     POLYGON(
         "Click to draw the first vertex",
-        "It closes by itself. Or begin with something that is there:",
+        "The polygon closes by itself. Or begin with something that is there:",
         "Random Polygon…"),
     SITES("Click to draw the first site", "Or begin with something that is there:", "Random Sites");
 
@@ -53,6 +53,7 @@ final class Invitation extends JPanel {
 
   private final transient Consumer<String> openSample;
   private final Map<Card, JComponent> cards = new EnumMap<>(Card.class);
+  private final Map<Card, JLabel> titles = new EnumMap<>(Card.class);
 
   /**
    * An invitation that offers commands and samples.
@@ -70,10 +71,16 @@ final class Invitation extends JPanel {
     }
   }
 
-  /** Invites to what can be done with an empty document, or without one. */
-  void show(Optional<Domain> domain, boolean empty) {
+  /**
+   * Invites to what can be done with an empty document, or without one.
+   *
+   * @param drawing whether a click draws
+   */
+  void show(Optional<Domain> domain, boolean empty, boolean drawing) {
     for (Card card : Card.values()) {
       cards.get(card).setVisible(empty && card == Card.of(domain));
+      boolean other = card != Card.START && !drawing;
+      titles.get(card).setText(other ? "Choose Draw Vertex to draw" : card.title);
     }
   }
 
@@ -81,7 +88,9 @@ final class Invitation extends JPanel {
     JPanel column = new JPanel();
     column.setLayout(new BoxLayout(column, BoxLayout.Y_AXIS));
     column.setOpaque(false);
-    column.add(label(card.title, "h1"));
+    JLabel title = label(card.title, "h1");
+    titles.put(card, title);
+    column.add(title);
     column.add(Box.createVerticalStrut(GAP));
     column.add(label(card.line, ""));
     column.add(Box.createVerticalStrut(GAP));

@@ -72,6 +72,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /** The thesis's window: menu bar, canvas, east panel; and a status line. */
@@ -175,7 +176,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     commands.add(
         "Give Up",
         "ESCAPE",
-        "Puts a dragged vertex back, stops what goes on, or leaves the drawing",
+        "Closes a menu, puts a dragged vertex back, stops what goes on, or leaves the drawing",
         this::giveUp);
   }
 
@@ -239,6 +240,15 @@ public final class MainWindow extends JFrame implements CommandWindow {
   }
 
   private void giveUp() {
+    MenuSelectionManager menus = MenuSelectionManager.defaultManager();
+    if (menus.getSelectedPath().length > 0) {
+      menus.clearSelectedPath(); // the keys of the window come before those of an open menu
+    } else {
+      giveUpWork();
+    }
+  }
+
+  private void giveUpWork() {
     boolean dragging = workbench.tool().map(tool -> tool.cancelled(workbench)).orElse(false);
     if (!dragging && workbench.jobs().isIdle()) {
       workbench.tool().ifPresent(tool -> tool.keyPressed(workbench, Key.ESCAPE));
@@ -273,7 +283,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     }
     bound.refresh();
     boolean empty = editor == null || editor.visible().size() == 0;
-    invitation.show(workbench.domain(), empty);
+    invitation.show(workbench.domain(), empty, workbench.isDrawing());
     canvas.setGrid(workbench.snap().isOn(Snap.To.GRID) ? workbench.snap().grid() : 0);
     status.setSnap(workbench.snap().words());
     canvas.setCursor(workbench.tool().map(Tool::cursor).orElse(Cursor.getDefaultCursor()));

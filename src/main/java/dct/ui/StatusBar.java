@@ -7,6 +7,7 @@ import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.util.Locale;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -19,6 +20,8 @@ final class StatusBar extends JPanel {
 
   /** Work that is done sooner is not worth a flicker. */
   private static final int PATIENCE_MILLIS = 150;
+
+  private static final int GAP = 12;
 
   private final JLabel message = new JLabel(" ");
   private final JLabel aside = new JLabel();
@@ -35,8 +38,8 @@ final class StatusBar extends JPanel {
 
   /** A status line that shows these jobs. */
   StatusBar(Jobs jobs) {
-    super(new BorderLayout(12, 0));
-    setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+    super(new BorderLayout(GAP, 0));
+    setBorder(BorderFactory.createEmptyBorder(5, GAP, 5, GAP));
     message.setName("status");
     message.getAccessibleContext().setAccessibleDescription("Status");
     zoom.setName("zoom");
@@ -52,13 +55,16 @@ final class StatusBar extends JPanel {
     running.add(bar);
     running.add(list);
     running.add(stop);
-    JPanel right = new JPanel(new FlowLayout(FlowLayout.TRAILING, 12, 0));
+    Box right = Box.createHorizontalBox(); // all on one line with the message
     right.add(running);
+    right.add(Box.createHorizontalStrut(GAP));
     aside.setName("aside");
     aside.getAccessibleContext().setAccessibleDescription("What has no room on the canvas");
     right.add(aside);
+    right.add(Box.createHorizontalStrut(GAP));
     snap.setName("snap");
     right.add(snap);
+    right.add(Box.createHorizontalStrut(GAP));
     right.add(zoom);
     add(message, BorderLayout.CENTER);
     add(right, BorderLayout.EAST);

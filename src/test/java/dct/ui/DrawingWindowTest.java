@@ -6,6 +6,10 @@ import dct.core.geometry.Points;
 import dct.render.Ink;
 import dct.render.Viewport;
 import java.awt.event.KeyEvent;
+import javax.swing.JLabel;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
+import org.assertj.swing.core.GenericTypeMatcher;
 import org.assertj.swing.core.MouseButton;
 import org.junit.jupiter.api.Test;
 
@@ -47,6 +51,57 @@ class DrawingWindowTest extends WindowTest {
     type(KeyEvent.VK_ESCAPE);
     frame.checkBox("Edit Vertex").requireSelected();
     assertThat(points().size()).isEqualTo(3);
+  }
+
+  @Test
+  void escapeClosesAnOpenMenuAndLeavesTheDrawingAlone() {
+    begin();
+    click(() -> robot.click(frame.menuItem("Edit").target()));
+    assertThat(onEventThread(() -> openMenus().length)).isPositive();
+    robot.pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
+    settle();
+    assertThat(onEventThread(() -> openMenus().length)).isZero();
+    frame.checkBox("Draw Vertex").requireSelected();
+  }
+
+  private static MenuElement[] openMenus() {
+    return MenuSelectionManager.defaultManager().getSelectedPath();
+  }
+
+  @Test
+  void anEmptyCanvasSaysWhatDrawsOnIt() {
+    begin();
+    frame.label(new Titled("Click to draw the first vertex")).requireVisible();
+    check("Edit Vertex");
+    frame.label(new Titled("Choose Draw Vertex to draw")).requireVisible();
+  }
+
+  /** Labels with a text. */
+  private static final class Titled extends GenericTypeMatcher<JLabel> {
+    private final String text;
+
+    Titled(String text) {
+      super(JLabel.class, true);
+      this.text = text;
+    }
+
+    @Override
+    protected boolean isMatching(JLabel label) {
+      return label.getText().equals(text);
+    }
+  }
+
+  @Test
+  void aCrossingAndWhatCanBeDoneFitTheStatusLine() {
+    begin();
+    clickAt(100, 100, 501, 103, 499, 407, 203, 97, 210, 399);
+    type(KeyEvent.VK_ENTER);
+    JLabel status = frame.label("status").target();
+    assertThat(status.getText()).startsWith("Not simple: edges v0–v1 and v2–v3 cross; ");
+    assertThat(onEventThread(() -> status.getPreferredSize().width))
+        .isLessThan(onEventThread(status::getWidth));
+    type(KeyEvent.VK_G, KeyEvent.VK_CONTROL);
+    assertThat(status.getText()).startsWith("Here edges v0–v1 and v2–v3 cross (1 of ");
   }
 
   @Test

@@ -1,7 +1,10 @@
 package dct.core.geometry;
 
 import dct.core.Decimals;
-import java.util.Locale;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.function.DoubleFunction;
 
 /**
  * Why points are not a simple polygon, or not usable sites: the first defect found.
@@ -16,6 +19,7 @@ import java.util.Locale;
  * @param count the number of vertices, so that the edge after the last one can be named
  */
 public record Defect(Kind kind, int first, int second, double x, double y, int count) {
+  private static final MathContext NINE_DIGITS = new MathContext(9, RoundingMode.HALF_EVEN);
 
   /** The ways in which points can fail. */
   public enum Kind {
@@ -47,50 +51,51 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
 
   /** One sentence for a person: what is wrong, where, and what would mend it. */
   public String message() {
+    String at =
+        switch (kind) {
+          case TOUCH -> " at " + place(Decimals::format);
+          case SPIKE -> ", " + place(Decimals::format);
+          case CROSSING, OVERLAP -> " at " + place(Defect::computed);
+          default -> "";
+        };
+    return fact() + at + "; " + cure();
+  }
+
+  /** What is wrong, without what would mend it; crossings and the like without the place. */
+  public String fact() {
     return switch (kind) {
-      case TOO_FEW -> count + (count == 1 ? " vertex" : " vertices") + "; three or more are needed";
-      case COLLINEAR -> "all vertices lie on one line; move at least one off it";
-      case FEW_SITES -> count + (count == 1 ? " site" : " sites") + "; three or more are needed";
-      case SITES_ON_ONE_LINE -> "all sites lie on one line; move at least one off it";
+      case TOO_FEW -> count + (count == 1 ? " vertex" : " vertices");
+      case COLLINEAR -> "all vertices lie on one line";
+      case FEW_SITES -> count + (count == 1 ? " site" : " sites");
+      case SITES_ON_ONE_LINE -> "all sites lie on one line";
       case DUPLICATE ->
-          String.format(
-              Locale.ROOT,
-              "vertices v%d and v%d are both at %s; remove one of them",
-              first,
-              second,
-              place());
-      case SPIKE ->
-          String.format(
-              Locale.ROOT,
-              "the boundary turns back along itself at vertex v%d, %s; move or remove that vertex",
-              first,
-              place());
-      case TOUCH ->
-          String.format(
-              Locale.ROOT,
-              "vertex v%d touches edge %s at %s; move it off the edge",
-              first,
-              edge(second),
-              place());
-      case CROSSING ->
-          String.format(
-              Locale.ROOT,
-              "edges %s and %s cross at %s; move a vertex of one of them",
-              edge(first),
-              edge(second),
-              place());
-      case OVERLAP ->
-          String.format(
-              Locale.ROOT,
-              "edges %s and %s overlap at %s; move a vertex of one of them",
-              edge(first),
-              edge(second),
-              place());
+          "vertices v" + first + " and v" + second + " are both at " + place(Decimals::format);
+      case SPIKE -> "the boundary turns back along itself at vertex v" + first;
+      case TOUCH -> "vertex v" + first + " touches edge " + edge(second);
+      case CROSSING -> "edges " + edge(first) + " and " + edge(second) + " cross";
+      case OVERLAP -> "edges " + edge(first) + " and " + edge(second) + " overlap";
     };
   }
 
-  private String place() {
-    return "(" + Decimals.format(x) + ", " + Decimals.format(y) + ")";
+  /** What would mend it. */
+  public String cure() {
+    return switch (kind) {
+      case TOO_FEW, FEW_SITES -> "three or more are needed";
+      case COLLINEAR, SITES_ON_ONE_LINE -> "move at least one off it";
+      case DUPLICATE -> "remove one of them";
+      case SPIKE -> "move or remove that vertex";
+      case TOUCH -> "move it off the edge";
+      case CROSSING, OVERLAP -> "move a vertex of one of them";
+    };
+  }
+
+  private String place(DoubleFunction<String> format) {
+    return "(" + format.apply(x) + ", " + format.apply(y) + ")";
+  }
+
+  /** A computed coordinate, rounded to nine digits. */
+  private static String computed(double value) {
+    return Decimals.format(new BigDecimal(value).round(NINE_DIGITS).doubleValue());
   }
 
   private String edge(int v) {

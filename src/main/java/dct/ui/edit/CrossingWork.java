@@ -25,6 +25,7 @@ import java.util.Optional;
 
 /** What can be done about a polygon that is not simple. */
 public final class CrossingWork {
+  private static final String GO = "Go to Crossing";
   private static final String UNTANGLE = "Untangle";
   private static final String USE_AS_SITES = "Use as Sites";
   private static final double MARK = 17; // the radius of the ring round the place gone to
@@ -55,7 +56,7 @@ public final class CrossingWork {
   public void offer(CommandRegistry commands) {
     commands
         .add(
-            "Go to Crossing",
+            GO,
             "ctrl G",
             "Shows where the polygon is not simple, one place after the other",
             this::goToNext)
@@ -96,11 +97,10 @@ public final class CrossingWork {
 
   /** What is wrong with the polygon, unless it is still being drawn. */
   public Optional<String> hint() {
-    boolean drawing = workbench.tool().equals(workbench.boxes().stream().findFirst());
-    List<Defect> places = drawing ? List.of() : places();
+    List<Defect> places = workbench.isDrawing() ? List.of() : places();
     return places.stream()
         .findFirst()
-        .map(first -> "Not simple: " + first.message() + ", or choose Edit ▸ " + UNTANGLE);
+        .map(first -> "Not simple: " + first.fact() + "; Edit ▸ " + GO + ", " + UNTANGLE);
   }
 
   private void goToNext() {
@@ -108,7 +108,7 @@ public final class CrossingWork {
     int next = (last.map(places::indexOf).orElse(-1) + 1) % places.size();
     goTo(places.get(next));
     String count = places.size() == 1 ? "" : " (" + (next + 1) + " of " + places.size() + ")";
-    workbench.say("Here " + places.get(next).message() + count);
+    workbench.say("Here " + places.get(next).fact() + count + "; " + places.get(next).cure());
   }
 
   /** Shows the place of a defect, large enough to tell its edges apart. */

@@ -130,6 +130,11 @@ public final class Workbench implements ToolContext {
     return domain.map(chosen -> tool);
   }
 
+  /** Whether a click draws a vertex. */
+  public boolean isDrawing() {
+    return tool().filter(draw::equals).isPresent();
+  }
+
   /** Chooses a tool. */
   public void choose(Tool chosen) {
     leaveTool();

@@ -199,6 +199,16 @@ class SimplicityCheckTest {
   }
 
   @Test
+  void thePlaceOfACrossingIsRoundedToWhatAPersonReads() {
+    Points bowTie = Points.ofPairs(0, 0, 100, 101, 100, 0, 0, 99);
+    assertThat(SimplicityCheck.firstDefect(bowTie, Progress.NONE).orElseThrow().message())
+        .isEqualTo("edges v0–v1 and v2–v3 cross at (49.5, 49.995); move a vertex of one of them");
+    Points skew = Points.ofPairs(0, 0, 300, 301, 299, 0, 7, 200);
+    assertThat(SimplicityCheck.firstDefect(skew, Progress.NONE).orElseThrow().message())
+        .containsPattern("cross at \\(\\d{3}\\.\\d{1,6}, \\d{3}\\.\\d{1,6}\\);");
+  }
+
+  @Test
   void aPolygonRefusesADefectAndCarriesIt() {
     Points bowTie = Points.ofPairs(0, 0, 8, 8, 8, 0, 0, 8);
     assertThatThrownBy(() -> SimplePolygon.of(bowTie, Progress.NONE))
