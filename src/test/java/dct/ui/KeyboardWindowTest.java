@@ -48,7 +48,8 @@ class KeyboardWindowTest extends WindowTest {
 
   private static boolean isOpen(Class<? extends Window> kind) {
     return onEventThread(
-        () -> Arrays.stream(Window.getWindows()).anyMatch(w -> kind.isInstance(w) && w.isShowing()));
+        () ->
+            Arrays.stream(Window.getWindows()).anyMatch(w -> kind.isInstance(w) && w.isShowing()));
   }
 
   private static Component focused() {
@@ -59,7 +60,11 @@ class KeyboardWindowTest extends WindowTest {
   private static void awaitFocus(String name) {
     await(
         "the focus is in " + name,
-        () -> Optional.ofNullable(focused()).map(Component::getName).filter(name::equals).isPresent());
+        () ->
+            Optional.ofNullable(focused())
+                .map(Component::getName)
+                .filter(name::equals)
+                .isPresent());
   }
 
   /** Finds a command by a part of its name and runs it; in memory, runs it as its menu would. */
@@ -91,7 +96,9 @@ class KeyboardWindowTest extends WindowTest {
 
   private void drawTriangle() {
     runByName("polygon based", "Polygon Based");
-    await("the polygon", () -> onEventThread(() -> frame.radioButton("Polygon Based").target().isSelected()));
+    await(
+        "the polygon",
+        () -> onEventThread(() -> frame.radioButton("Polygon Based").target().isSelected()));
     type(KeyEvent.VK_D);
     clickAfter(4, 4);
     clickAfter(9, 0);

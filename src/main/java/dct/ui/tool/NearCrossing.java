@@ -84,11 +84,9 @@ final class NearCrossing {
   /** The nearest crossing of two edges that have no end in common. */
   Optional<Target> ofEdges() {
     Optional<Target> nearest = Optional.empty();
-    for (Edge one : edges) {
-      for (Edge other : edges) {
-        if (one == other) {
-          break; // each pair once
-        }
+    for (int i = 0; i < edges.size(); i++) {
+      Edge one = edges.get(i);
+      for (Edge other : edges.subList(0, i)) {
         if (!one.meets(other)) {
           String hit = "on the crossing of " + other + " and " + one;
           nearest =
