@@ -148,8 +148,9 @@ public record Solution(
     if (optimum.isPresent() && flips.isEmpty()) {
       return optimum.get().verdict();
     }
-    String known = bound.value() == 0 ? "none" : bound.value() + " or more";
-    return known + " cannot be avoided (" + bound.reason() + ")";
+    String known =
+        bound.value() == 0 ? "0 not excluded" : bound.value() + " or more cannot be avoided";
+    return known + " (" + bound.reason() + ")";
   }
 
   /** The even and the odd vertices. */

@@ -1,6 +1,7 @@
 package dct.ui;
 
 import dct.ui.dialog.Ask;
+import dct.ui.document.Document;
 import dct.ui.session.Orphan;
 import java.awt.Component;
 import java.time.ZoneId;
@@ -33,18 +34,21 @@ final class Recovery {
 
   private static String question(Orphan orphan) {
     ZonedDateTime time = orphan.time().atZone(ZoneId.systemDefault());
-    int n = orphan.document().size();
-    String what = orphan.document().domain().title();
     return String.format(
         Locale.ROOT,
-        "Recover drawing of %s? It was not saved when the program ended on %tF at %tR: a %s with %d"
-            + " %s%s.",
+        "Recover the drawing of %s? It was not saved when the program ended on %tF at %tR: %s%s.",
         orphan.name(),
         time,
         time,
-        what,
-        n,
-        n == 1 ? "vertex" : "vertices",
+        contents(orphan.document()),
         orphan.document().result().map(result -> ", and " + result.title()).orElse(""));
+  }
+
+  private static String contents(Document document) {
+    int n = document.size();
+    return switch (document.domain()) {
+      case POLYGON -> "a polygon with " + n + (n == 1 ? " vertex" : " vertices");
+      case SITES -> n + (n == 1 ? " site" : " sites");
+    };
   }
 }

@@ -93,6 +93,7 @@ final class StatusBar extends JPanel {
   /** Shows a text; a screen reader says it. */
   private void show(String text) {
     message.setText(text);
+    message.setToolTipText(text); // where it does not fit
     message.getAccessibleContext().setAccessibleName(text);
   }
 

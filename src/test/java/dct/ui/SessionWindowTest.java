@@ -83,7 +83,9 @@ class SessionWindowTest extends WindowTest {
     Windows again = onEventThread(() -> new Windows(next));
     later(() -> again.offer(orphans));
     JOptionPaneFixture question = dialog();
-    assertThat(message(question)).startsWith("Recover drawing of New polygon?").contains("3 vert");
+    assertThat(message(question))
+        .startsWith("Recover the drawing of New polygon?")
+        .contains("a polygon with 3 vertices");
     answer(question, "Recover");
     await("a window with the drawing", () -> windows().size() == 2);
     MainWindow recovered = windows().stream().filter(w -> w != window).findFirst().orElseThrow();

@@ -163,6 +163,14 @@ class ViewsWindowTest extends WindowTest {
     assertThat(String.join(" ", comparison.canvas().scene().counts())).contains("differ");
     assertThat(comparison.canvas().scene().edgeCount())
         .isNotEqualTo(monotone.canvas().scene().edgeCount());
+    assertThat(
+            onEventThread(
+                () ->
+                    robot
+                        .finder()
+                        .findByName(comparison, "status", javax.swing.JLabel.class, true)
+                        .getText()))
+        .startsWith("A picture to look at");
   }
 
   private void draw() {

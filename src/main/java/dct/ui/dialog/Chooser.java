@@ -38,9 +38,9 @@ public enum Chooser {
     return chosen(chooser, chooser.showOpenDialog(parent));
   }
 
-  /** Asks for a file to save to; the one suggested may be a bare name. */
-  public Optional<Path> save(Component parent, Path suggested) {
-    return ask(parent, suggested, "Save", chooser -> {});
+  /** Asks for a file to save to; the one suggested may be a bare name, the title as below. */
+  public Optional<Path> save(Component parent, Path suggested, String title) {
+    return ask(parent, suggested, title, chooser -> {});
   }
 
   /**
@@ -58,7 +58,9 @@ public enum Chooser {
         suggested.isAbsolute()
             ? suggested.toFile()
             : new File(chooser.getCurrentDirectory(), suggested.toString()));
-    return chosen(chooser, chooser.showDialog(parent, title.replaceFirst(" .*", "")));
+    chooser.setDialogType(JFileChooser.SAVE_DIALOG);
+    chooser.setApproveButtonText(title.replaceFirst(" .*", ""));
+    return chosen(chooser, chooser.showDialog(parent, null)); // a text would change the type
   }
 
   /** Asks whether a file may be replaced. */

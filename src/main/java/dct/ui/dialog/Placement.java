@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -25,15 +26,35 @@ public final class Placement {
 
   /** Packs a window, no larger than the screen, and puts it into the middle. */
   public static void centre(Window window) {
-    window.pack();
     Rectangle screen = usable(window);
+    packWithin(window, screen);
+    window.setLocation(
+        screen.x + (screen.width - window.getWidth()) / 2,
+        screen.y + (screen.height - window.getHeight()) / 2);
+  }
+
+  /** Packs a window, no larger than the screen, and puts it over the middle of another. */
+  public static void over(Window window, Window other) {
+    Rectangle screen = usable(other);
+    packWithin(window, screen);
+    window.setLocation(over(window.getSize(), other.getBounds(), screen));
+  }
+
+  /** Where a window lies over the middle of another and within the screen. */
+  static Point over(Dimension window, Rectangle other, Rectangle screen) {
+    int x = other.x + (other.width - window.width) / 2;
+    int y = other.y + (other.height - window.height) / 2;
+    return new Point(
+        Math.max(screen.x, Math.min(x, screen.x + screen.width - window.width)),
+        Math.max(screen.y, Math.min(y, screen.y + screen.height - window.height)));
+  }
+
+  private static void packWithin(Window window, Rectangle screen) {
+    window.pack();
     if (window.getWidth() > screen.width || window.getHeight() > screen.height) {
       window.setSize(
           Math.min(window.getWidth(), screen.width), Math.min(window.getHeight(), screen.height));
     }
-    window.setLocation(
-        screen.x + (screen.width - window.getWidth()) / 2,
-        screen.y + (screen.height - window.getHeight()) / 2);
   }
 
   /** Puts a window where it was when the settings were told of it, or else into the middle. */

@@ -33,11 +33,7 @@ public final class EditCommands {
         () -> of.get().flatMap(editor -> editor.history().undoLabel()));
     offerStep(
         commands
-            .add(
-                "Redo",
-                "ctrl shift Z",
-                "Does it again; also Ctrl+Y",
-                () -> of.get().ifPresent(Editor::redo))
+            .add("Redo", "ctrl shift Z", "Does it again", () -> of.get().ifPresent(Editor::redo))
             .alsoOn("ctrl Y"),
         () -> of.get().flatMap(editor -> editor.history().redoLabel()));
   }

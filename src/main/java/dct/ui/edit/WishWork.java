@@ -117,7 +117,7 @@ public final class WishWork {
   private void save(Editor editor) {
     String name = editor.name().replaceFirst("\\.txt$", "") + "_wishes.txt";
     Path suggested = folder.get().map(f -> f.resolve(name)).orElse(Path.of(name));
-    Optional<Path> typed = Chooser.WISHES.save(parent, suggested);
+    Optional<Path> typed = Chooser.WISHES.save(parent, suggested, "Save Wishes");
     if (typed.isPresent()
         && (!Files.exists(typed.get()) || Chooser.confirmReplacing(parent, typed.get()))) {
       save(editor, typed.get());

@@ -70,7 +70,9 @@ public final class DocumentFile {
     int merged = points.size() - kept.size();
     List<String> remarks = new ArrayList<>(read.notes());
     if (merged > 0) {
-      remarks.add(merged + " sites were there already and have been merged");
+      String were =
+          merged == 1 ? " site was there already and has" : " sites were there already and have";
+      remarks.add(merged + were + " been merged");
     }
     verdict.flatMap(v -> v.first(Outcome.OPEN)).map(Check::detail).ifPresent(remarks::add);
     String remark = String.join("; ", remarks);

@@ -190,7 +190,7 @@ public final class FileWork {
   }
 
   private void saveAs(Editor editor, Runnable then) {
-    Optional<Path> typed = Chooser.DOCUMENTS.save(window, suggestion(editor));
+    Optional<Path> typed = Chooser.DOCUMENTS.save(window, suggestion(editor), "Save As");
     if (typed.isPresent()) {
       Path file = FileNames.forSaving(typed.get(), editor.domain());
       if (!Files.exists(file) || Chooser.confirmReplacing(window, file)) {

@@ -54,7 +54,7 @@ public final class CheckWork {
   static Report report(Document document, Progress progress) {
     try {
       String what = document.instance("", progress).description();
-      return new Report("This is usable: " + what + ".", Optional.empty());
+      return new Report("This can be triangulated: " + what + ".", Optional.empty());
     } catch (InvalidGeometryException e) {
       return report(document, e.defect(), progress);
     }

@@ -40,7 +40,7 @@ public final class CommandFinder extends JDialog {
 
   private final transient List<Command> commands;
   private final JTextField field = new JTextField(34);
-  private final JList<Command> found = new JList<>();
+  private final JList<Command> found = new Found();
   private final JLabel state = new JLabel(" ");
 
   private CommandFinder(Frame owner, List<Command> commands) {
@@ -149,6 +149,16 @@ public final class CommandFinder extends JDialog {
       // Once the window has its focus back, as if its menu had been used.
       SwingUtilities.invokeLater(
           () -> command.actionPerformed(new ActionEvent(this, 0, command.id())));
+    }
+  }
+
+  /** A list as wide as what shows it, so that the keys on its right are seen. */
+  private static final class Found extends JList<Command> {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+      return true;
     }
   }
 

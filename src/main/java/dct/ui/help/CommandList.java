@@ -1,6 +1,7 @@
 package dct.ui.help;
 
 import dct.ui.command.EscapeKey;
+import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -26,7 +27,7 @@ import javax.swing.table.DefaultTableCellRenderer;
  */
 public final class CommandList extends JDialog {
   private static final long serialVersionUID = 1L;
-  private static final int[] WIDTHS = {90, 250, 210, 470};
+  private static final int[] WIDTHS = {98, 256, 158, 508};
   private static final int ROW = 24;
 
   private final JTextField field = new JTextField(24);
@@ -45,8 +46,7 @@ public final class CommandList extends JDialog {
     setContentPane(content);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     EscapeKey.closes(this);
-    pack();
-    setLocationRelativeTo(owner);
+    Placement.over(this, owner);
   }
 
   /** Shows the list beside the window. */

@@ -1,5 +1,6 @@
 package dct.ui.help;
 
+import dct.problem.Solution;
 import dct.ui.command.CommandRegistry;
 import dct.ui.dialog.Ask;
 import dct.ui.menu.MenuTable;
@@ -48,8 +49,11 @@ public final class HelpCommands {
     Ask.tell(
         window,
         "About",
-        "Degree Constrained Triangulation: triangulations of polygons and point sites with as many"
-            + " vertices of even degree as possible, after R. Gyawali's thesis of that name (UNLV,"
-            + " 2012).");
+        "Degree Constrained Triangulation, version "
+            + Solution.programVersion()
+            + ": triangulations of polygons and point sites with as many vertices of even degree as"
+            + " possible, after R. Gyawali's thesis of that name (UNLV, 2012).\n\n"
+            + "Licensed under the Apache License, Version 2.0, as are the libraries that the"
+            + " program holds; the file NOTICE lists them.");
   }
 }

@@ -33,7 +33,7 @@ public final class ResultTable extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final int MARGIN = 10;
   private static final Dimension SIZE = new Dimension(1200, 200);
-  private static final int WIDEST = 420; // of a column
+  private static final int WIDEST = 560; // of a column
   private static final int ROOM = 24; // in a cell, for the arrow of the sorting
 
   private final ResultRows rows = new ResultRows();
@@ -62,8 +62,6 @@ public final class ResultTable extends JDialog {
     listen();
     layOut();
     chosen();
-    pack();
-    setSize(Math.min(getWidth(), getGraphicsConfiguration().getBounds().width), getHeight());
   }
 
   private static JButton button(String name, String description) {

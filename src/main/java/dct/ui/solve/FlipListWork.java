@@ -59,7 +59,7 @@ public final class FlipListWork implements FlipCommands.Lists {
   public void save() {
     String name = desk.documentName().replaceFirst("\\.[^.]*$", "") + "_flips.txt";
     Path suggested = folder.get().map(f -> f.resolve(name)).orElse(Path.of(name));
-    Optional<Path> typed = Chooser.FLIPS.save(parent, suggested);
+    Optional<Path> typed = Chooser.FLIPS.save(parent, suggested, "Save Flips");
     if (typed.isPresent()
         && (!Files.exists(typed.get()) || Chooser.confirmReplacing(parent, typed.get()))) {
       list().ifPresent(flips -> save(flips, typed.get()));

@@ -135,7 +135,15 @@ public final class ResultFlips implements FlipSource, ToolContext {
 
   @Override
   public String refusal() {
-    return "The polygon is no longer the one of this result: undo the change, or triangulate again";
+    Optional<Domain> domain = view.result().map(result -> result.solution().instance().domain());
+    if (domain.isEmpty()) {
+      return "A picture to look at: edges are flipped in the views of results";
+    }
+    return switch (domain.get()) {
+      case POLYGON ->
+          "The polygon is no longer the one of this result: undo the change, or triangulate again";
+      case SITES -> "A result to look at: edges of sites are flipped in the main window";
+    };
   }
 
   @Override

@@ -1,6 +1,7 @@
 package dct.ui.study;
 
 import dct.experiment.study.StudyRow;
+import java.awt.FontMetrics;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -21,7 +22,6 @@ final class RowsTable extends JTable {
   private static final long serialVersionUID = 1L;
   private static final String OPEN = "open";
   private static final int MARGIN = 28; // of a cell, with room for the arrow of the sorting
-  private static final int LETTER = 6; // about the width of one
   private static final Map<String, String> WIDEST =
       Map.of("shape", "space-partitioning", "seed", "2147483647000", "n", "100000");
 
@@ -48,10 +48,11 @@ final class RowsTable extends JTable {
   @Override
   public void createDefaultColumnsFromModel() {
     super.createDefaultColumnsFromModel();
+    FontMetrics letters = getFontMetrics(getFont());
     for (TableColumn column : Collections.list(getColumnModel().getColumns())) {
       String head = String.valueOf(column.getHeaderValue());
       String widest = WIDEST.getOrDefault(head, head);
-      column.setPreferredWidth(MARGIN + LETTER * widest.length());
+      column.setPreferredWidth(MARGIN + letters.stringWidth(widest));
     }
   }
 

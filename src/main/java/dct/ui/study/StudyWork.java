@@ -77,7 +77,7 @@ public final class StudyWork implements StudyHost {
   @Override
   public Optional<Path> askFile(Component over, String suggested) {
     return Chooser.STUDIES
-        .save(over, Path.of(suggested))
+        .save(over, Path.of(suggested), "Export Study")
         .map(typed -> withEnding(typed, suggested))
         .filter(file -> !Files.exists(file) || Chooser.confirmReplacing(over, file));
   }

@@ -28,7 +28,7 @@ final class VertexRows extends AbstractTableModel {
   static final int Y = 2;
   static final int DEGREE = 3;
   static final int WISH = 4;
-  private static final String[] COLUMNS = {"No.", "x", "y", "Degree", "Wish"};
+  private static final String[] COLUMNS = {"No.", "x", "y", "Deg.", "Wish"};
 
   private final transient ToolContext context;
   private transient Document document = Document.empty(Domain.POLYGON);

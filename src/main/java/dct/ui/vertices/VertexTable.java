@@ -10,6 +10,7 @@ import dct.ui.document.Selection;
 import dct.ui.tool.ToolContext;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.FontMetrics;
 import java.awt.KeyboardFocusManager;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.ActionEvent;
@@ -37,7 +38,8 @@ import javax.swing.table.JTableHeader;
  */
 final class VertexTable extends JTable {
   private static final long serialVersionUID = 1L;
-  private static final int[] WIDTHS = {44, 62, 62, 36, 40};
+  private static final int MARGIN = 10; // of a cell
+  private static final int FEW = 1000; // rows for which there is always room
   private static final String[] TIPS = {
     "The vertex's number",
     "Its x; type another to move it",
@@ -59,9 +61,8 @@ final class VertexTable extends JTable {
         .setAccessibleDescription("Number, coordinates, degree and wished parity of each vertex");
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
     getTableHeader().setReorderingAllowed(false);
-    for (int column = 0; column < WIDTHS.length; column++) {
-      getColumnModel().getColumn(column).setPreferredWidth(WIDTHS[column]);
-    }
+    setAutoResizeMode(AUTO_RESIZE_ALL_COLUMNS);
+    fitColumns();
     putClientProperty("terminateEditOnFocusLost", true);
     // Tab leaves the table, arrows move in it: no key is a trap.
     setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
@@ -82,6 +83,21 @@ final class VertexTable extends JTable {
               }
             });
     offerWishKeys();
+  }
+
+  /** Numbers, degrees and wishes are seen in full; x and y share the rest. */
+  private void fitColumns() {
+    fit(0, "v" + (Math.max(FEW, getRowCount()) - 1));
+    fit(VertexRows.DEGREE, "");
+    fit(VertexRows.WISH, VertexRows.word(Wish.EVEN));
+  }
+
+  private void fit(int column, String text) {
+    FontMetrics letters = getFontMetrics(getFont());
+    int width = letters.stringWidth(text);
+    int head = letters.stringWidth(getColumnName(column));
+    getColumnModel().getColumn(column).setMinWidth(MARGIN + Math.max(width, head));
+    getColumnModel().getColumn(column).setPreferredWidth(MARGIN + Math.max(width, head));
   }
 
   private static JComboBox<Wish> wishes() {
@@ -214,6 +230,7 @@ final class VertexTable extends JTable {
     }
     following = true;
     rows.show(document, made);
+    fitColumns();
     follow(selection);
     following = false;
   }

@@ -18,7 +18,8 @@ class CheckWorkTest {
   void usablePointsAreDescribed() {
     CheckWork.Report polygon = report(Domain.POLYGON, 0, 0, 4, 0, 4, 4);
     assertThat(polygon.sentence())
-        .isEqualTo("This is usable: a simple polygon with 3 vertices, counter-clockwise.");
+        .isEqualTo(
+            "This can be triangulated: a simple polygon with 3 vertices, counter-clockwise.");
     assertThat(polygon.defect()).isEmpty();
     assertThat(report(Domain.SITES, 0, 0, 4, 0, 4, 4, 0, 0).sentence())
         .contains("3 usable sites (1 duplicate merged)");
