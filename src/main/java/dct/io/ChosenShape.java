@@ -93,7 +93,7 @@ final class ChosenShape {
     PointColumns columns = new PointColumns();
     for (Shape shape : all) {
       for (int v = 0; v < shape.points().size(); v++) {
-        columns.add(shape.points().x(v), shape.points().y(v), shape.lines()[v]);
+        columns.add(shape.points().x(v), shape.points().y(v), shape.line(v));
       }
     }
     return Shape.of(Shape.Kind.SITES, "", columns);
@@ -108,7 +108,7 @@ final class ChosenShape {
     int end = closed ? last : last + 1;
     for (int v = 0; v < end; v++) {
       if (v == 0 || !same(points, v - 1, v)) {
-        columns.add(points.x(v), points.y(v), shape.lines()[v]);
+        columns.add(points.x(v), points.y(v), shape.line(v));
       }
     }
     int repeated = end - columns.size();

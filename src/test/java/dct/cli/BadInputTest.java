@@ -35,7 +35,10 @@ class BadInputTest {
         bad("two vertices", "0 0\n\n1 1\n", "3: 2 vertices; three or more are needed"),
         bad("a word", "0 0\n1 one\n0 1\n", "2: \"one\" is not a number; " + FORM),
         bad("one number", "0 0\n1\n0 1\n", "2: there is only one number; " + FORM),
-        bad("three numbers", "0 0\n1 1 1\n0 1\n", "2: there are 3 numbers; " + FORM),
+        bad(
+            "three numbers",
+            "0 0\n1 1 1\n0 1\n",
+            "2: there are 3 numbers here, but 2 in line 1; " + FORM),
         bad(
             "NaN",
             "0 0\nNaN 1\n0 1\n",

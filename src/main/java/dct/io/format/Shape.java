@@ -11,15 +11,30 @@ import java.util.Optional;
  * <p>The points are finite, no more has been checked. A ring does not repeat its first vertex at
  * its end where its format asks for that; where people may or may not have written it, it still
  * does.
- *
- * @param kind what the points are
- * @param label what lists call it: a name that stands in the file; may be empty
- * @param points the points in the order of the file
- * @param lines the line of each point, from 1 on
- * @param edges the edges of a triangulation of the points, if the file holds one
  */
-public record Shape(
-    Kind kind, String label, Points points, int[] lines, Optional<ClaimedEdges> edges) {
+public final class Shape {
+  private final Kind kind;
+  private final String label;
+  private final Points points;
+  private final int[] lines;
+  private final Optional<ClaimedEdges> edges;
+
+  /**
+   * A shape.
+   *
+   * @param kind what the points are
+   * @param label what lists call it: a name that stands in the file; may be empty
+   * @param points the points in the order of the file
+   * @param lines the line of each point, from 1 on; it is not copied
+   * @param edges the edges of a triangulation of the points, if the file holds one
+   */
+  public Shape(Kind kind, String label, Points points, int[] lines, Optional<ClaimedEdges> edges) {
+    this.kind = kind;
+    this.label = label;
+    this.points = points;
+    this.lines = lines;
+    this.edges = edges;
+  }
 
   /** What the points of a shape are. */
   public enum Kind {
@@ -49,6 +64,36 @@ public record Shape(
   /** A shape without edges. */
   public static Shape of(Kind kind, String label, PointColumns columns) {
     return new Shape(kind, label, columns.points(), columns.lines(), Optional.empty());
+  }
+
+  /** What the points are. */
+  public Kind kind() {
+    return kind;
+  }
+
+  /** What lists call it; may be empty. */
+  public String label() {
+    return label;
+  }
+
+  /** The points in the order of the file. */
+  public Points points() {
+    return points;
+  }
+
+  /** The lines of all points, from 1 on; a copy. */
+  public int[] lines() {
+    return lines.clone();
+  }
+
+  /** The line of point i, from 1 on. */
+  public int line(int i) {
+    return lines[i];
+  }
+
+  /** The edges of a triangulation of the points, if the file holds one. */
+  public Optional<ClaimedEdges> edges() {
+    return edges;
   }
 
   /** What the shape is said to be; nothing if the file does not tell. */

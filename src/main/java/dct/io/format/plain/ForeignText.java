@@ -16,17 +16,15 @@ public enum ForeignText {
       "\\[\\s*(\\[.*)?",
       "this looks like a list of JSON or Python; write one vertex a line, as two numbers x y, or"
           + " {\"points\": [[x, y], …]}"),
-  PARENTHESES("\\(.*", "the vertex stands in parentheses; remove them"),
-  BRACES("\\{.*", "the vertex stands in braces; remove them"),
-  BRACKETS("\\[.*", "the vertex stands in brackets; remove them"),
-  QUOTED(
-      "[\"'][+-]?[0-9.].*",
-      "the numbers stand in quotation marks, as in some CSV; remove the marks"),
+  PARENTHESES(
+      "\\(.*", "the parentheses do not hold one vertex each; write two numbers x y in each pair"),
+  BRACES("\\{.*", "the braces do not hold one vertex each; write two numbers x y in each pair"),
+  BRACKETS("\\[.*", "the brackets do not hold one vertex each; write two numbers x y in each pair"),
+  QUOTED("[\"'][+-]?[0-9.].*", "the quotation marks do not hold one number each; remove the marks"),
   HOLE(
       "(?i)(HOLE|STEINER)\\b.*",
       "this looks like a file of poly2tri with more than one ring; only one ring can be read, split"
           + " the file"),
-  EXCEL("(?i)sep=.", "this line is meant for Excel; remove it"),
   OFF("(ST|C|N|4|n)*OFF\\b.*", "this looks like OFF; write one vertex a line, as two numbers x y"),
   PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y"),
   OBJ(
@@ -38,7 +36,7 @@ public enum ForeignText {
           + " columns"),
   HEADER(
       "[\"']?[A-Za-z_][\\w .\"']*(\\s*[,;\\t]\\s*[\"']?[A-Za-z_][\\w .()\"']*)+",
-      "this looks like a header row; remove it");
+      "this looks like a header row below the first; remove it");
 
   private final Pattern pattern;
   private final String fault;

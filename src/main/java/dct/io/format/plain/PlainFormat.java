@@ -22,6 +22,6 @@ public final class PlainFormat implements Format {
 
   @Override
   public Shapes read(Input input) throws IOException {
-    return VertexText.read(input.name(), input.in());
+    return VertexText.read(input);
   }
 }

@@ -116,7 +116,8 @@ public final class TextLayout {
   private void checkFirst(Points points, int line) {
     int x = (int) points.x(0);
     int y = (int) points.y(0);
-    String mending = "remove the line, or write " + x + ".0 " + y + ".0 if it is a vertex";
+    String mending =
+        "remove the line, give --skip 1, or write " + x + ".0 " + y + ".0 if it is a vertex";
     if (isCounts(points)) {
       String what = "this looks like a line of counts, " + x + " vertices follow it; ";
       boolean several = points.size() > x + 1;

@@ -3,13 +3,14 @@ package dct.io.format.plain;
 import dct.core.Decimals;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
+import dct.io.format.Columns;
+import dct.io.format.Input;
 import dct.io.format.PointColumns;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.text.BadInputException;
 import dct.io.text.ByteLines;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,28 +20,35 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads the program's own text format: a vertex a line, {@code x y}.
+ * Reads text with a vertex a line: the program's own, {@code x y}, and what others write.
  *
  * <p>The numbers are separated by blanks, tabs, one comma or one semicolon. {@code #} at the start
  * of a line or after a blank, a comma or a semicolon starts a comment; blank lines are skipped, but
  * where they part groups of vertices that could be rings, each is a shape. A comment line {@code #
  * kind: polygon} or {@code # kind: points} says what the points are. A first line with nothing but
- * the number of vertices that follow is skipped, too; every other line of counts is refused.
- * Linear; ordinary lines make no objects.
+ * the number of vertices that follow is skipped, too; every other line of counts is refused. {@link
+ * LooseLine} says what else a line may look like, {@link Table} which columns are read. Linear;
+ * lines of two numbers make no objects.
  */
 public final class VertexText {
   private static final Pattern KIND =
       Pattern.compile("#\\s*kind\\s*:\\s*(\\w+)\\s*", Pattern.CASE_INSENSITIVE);
 
+  private static final Pattern EXCEL = Pattern.compile("sep=.", Pattern.CASE_INSENSITIVE);
+
   private final String name;
   private final ByteLines lines;
-  private final PointColumns points = new PointColumns();
+  private final Table table;
+  private final List<String> notes = new ArrayList<>();
+  private final Columns columns;
   private final TextLayout layout;
   private Optional<Domain> kind = Optional.empty();
 
-  private VertexText(String name, ByteLines lines) {
+  private VertexText(String name, ByteLines lines, Columns columns) {
     this.name = name;
     this.lines = lines;
+    this.columns = columns;
+    this.table = new Table(name);
     this.layout = new TextLayout(name);
   }
 
@@ -49,16 +57,20 @@ public final class VertexText {
    *
    * @throws BadInputException at the first line that is wrong
    */
-  public static Shapes read(String name, InputStream in) throws IOException {
-    VertexText text = new VertexText(name, new ByteLines(in));
+  static Shapes read(Input input) throws IOException {
+    VertexText text = new VertexText(input.name(), new ByteLines(input.in()), input.columns());
     while (text.lines.next()) {
-      text.line();
+      if (text.lines.number() > input.columns().skipped()) {
+        text.line();
+      } else {
+        text.lines.skipRest();
+      }
     }
     return text.shapes();
   }
 
   private Shapes shapes() {
-    if (points.size() == 0) {
+    if (table.size() == 0) {
       throw new BadInputException(
           name,
           Math.max(1, lines.number()),
@@ -69,12 +81,14 @@ public final class VertexText {
                       : "there is no vertex in the file")
               + "; write one vertex a line, as two numbers x y");
     }
+    PointColumns points = table.points(columns.xy(), notes);
     Points read = points.points();
     int[] numbers = points.lines();
-    if (kind.isEmpty()) { // else the program wrote it, and no counts
+    boolean isCertain = kind.isPresent() || columns.skipped() > 0 || table.hasHeader();
+    if (!isCertain) { // else the program wrote it, or its reader has looked at the first line
       layout.check(read, numbers);
     }
-    return new Shapes(PlainFormat.TITLE, shapes(read, numbers), List.of());
+    return new Shapes(PlainFormat.TITLE, shapes(read, numbers), notes);
   }
 
   private List<Shape> shapes(Points read, int[] numbers) {
@@ -99,7 +113,7 @@ public final class VertexText {
     int xFrom = skipBlanks(lines.start());
     if (isRest(xFrom) && !(lines.isCut() && xFrom == lines.end())) {
       if (xFrom == lines.end()) {
-        layout.blankLine(points.size());
+        layout.blankLine(table.size());
       }
       comment(xFrom);
       lines.skipRest();
@@ -112,14 +126,56 @@ public final class VertexText {
     double px = Decimals.parse(bytes, xFrom, xTo);
     double py = Decimals.parse(bytes, yFrom, yTo);
     if (!Double.isFinite(px) || !Double.isFinite(py) || !isRest(rest) || lines.isCut()) {
-      if (isOnly(xFrom, xTo) && layout.isCount(px, points.size(), lines.number())) {
-        return;
+      if (!isOnly(xFrom, xTo) || !layout.isCount(px, table.size(), lines.number())) {
+        loose();
       }
-      throw new LineFault(name, lines).exception();
+      return;
     }
     comment(rest);
-    layout.vertex(points.size(), isWhole(xFrom, xTo), isWhole(yFrom, yTo), bytes[xTo]);
-    points.add(px, py, lines.number());
+    layout.vertex(table.size(), isWhole(xFrom, xTo), isWhole(yFrom, yTo), bytes[xTo]);
+    table.add(px, py, lines.number());
+  }
+
+  /** Reads a line that is not just two numbers. */
+  private void loose() {
+    LineFault fault = new LineFault(name, lines);
+    fault.throwIfNotText();
+    if (lines.isCut()) {
+      throw fault.exception();
+    }
+    String line =
+        new String(
+            lines.bytes(), lines.start(), lines.end() - lines.start(), StandardCharsets.UTF_8);
+    String data = LooseLine.withoutComment(line);
+    if (data.isEmpty()) {
+      return;
+    }
+    if (data.charAt(0) == '>') { // of the Generic Mapping Tools
+      layout.blankLine(table.size());
+      return;
+    }
+    if (table.size() == 0 && isHead(data)) {
+      return;
+    }
+    List<List<LooseLine.Number>> rows = LooseLine.rows(data).orElseThrow(fault::exception);
+    for (List<LooseLine.Number> row : rows) {
+      if (row.size() < 2) {
+        throw fault.exception();
+      }
+      table.add(row, lines.number());
+      layout.vertex(table.size() - 1, false, false, (byte) ' ');
+    }
+  }
+
+  /** Whether it is a line above the numbers: Excel's separator, or the names of the columns. */
+  private boolean isHead(String data) {
+    if (EXCEL.matcher(data).matches()) {
+      notes.add("The line that names Excel's separator is left out");
+      return true;
+    }
+    Optional<HeaderRow> header = table.hasHeader() ? Optional.empty() : HeaderRow.of(data);
+    header.ifPresent(table::header);
+    return header.isPresent();
   }
 
   /** Whether this whole number is all that the line holds. */
@@ -176,7 +232,7 @@ public final class VertexText {
         break;
       }
     }
-    if (points.size() == 0 && from < lines.end()) {
+    if (table.size() == 0 && from < lines.end()) {
       readKind(new String(bytes, from, lines.end() - from, StandardCharsets.UTF_8));
     }
   }
