@@ -1,7 +1,7 @@
 package dct.cli;
 
 import dct.core.Progress;
-import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.io.PointDocument;
 import dct.io.text.Shown;
 import dct.problem.Solution;
@@ -58,6 +58,7 @@ final class ConvertCommand extends Verb {
   }
 
   private static boolean holdsPointsAlone(String file) {
-    return file.equals(STANDARD_STREAM) || ending(file) == FileEnding.TXT;
+    return file.equals(STANDARD_STREAM)
+        || !ending(file).holds(Content.TRIANGULATION, Content.PICTURE);
   }
 }

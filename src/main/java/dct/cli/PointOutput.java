@@ -2,10 +2,10 @@ package dct.cli;
 
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
-import dct.io.OffFile;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.format.Drawing;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -32,9 +32,19 @@ final class PointOutput {
     switch (Verb.ending(output)) {
       case TXT -> PointFile.write(file, document, Progress.NONE);
       case JSON -> ResultJson.write(file, document, Progress.NONE);
-      case OFF -> OffFile.write(file, document.points(), Progress.NONE);
-      default -> SolutionOutput.write(scene(document), file, legend);
+      default -> {
+        Drawing drawing = Drawing.of(name(document), document.domain(), document.points());
+        if (!SolutionOutput.writeData(file, drawing, console)) {
+          SolutionOutput.write(scene(document), file, legend);
+        }
+      }
     }
+  }
+
+  /** The name of the document's file, without folder and ending. */
+  private static String name(PointDocument document) {
+    Path file = Path.of(document.source()).getFileName();
+    return file == null ? "" : file.toString().replaceFirst("\\.[A-Za-z]{1,5}$", "");
   }
 
   private static Scene scene(PointDocument document) {

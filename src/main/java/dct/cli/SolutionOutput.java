@@ -1,9 +1,12 @@
 package dct.cli;
 
 import dct.core.Progress;
-import dct.io.OffFile;
+import dct.io.DataFile;
+import dct.io.FileEnding;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.format.Drawing;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import dct.problem.Solution;
 import dct.render.PictureFile;
@@ -11,6 +14,7 @@ import dct.render.PictureView;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /** Writes a solution in the format that the name of an output asks for. */
@@ -40,9 +44,25 @@ final class SolutionOutput {
     switch (Verb.ending(output)) {
       case TXT -> PointFile.write(file, instance.domain(), instance.points(), Progress.NONE);
       case JSON -> ResultJson.write(file, solution, millis, Progress.NONE);
-      case OFF -> OffFile.write(file, solution.triangulation(), Progress.NONE);
-      default -> write(Scene.of(solution), file, legend);
+      default -> {
+        if (!writeData(file, Drawing.of(solution), console)) {
+          write(Scene.of(solution), file, legend);
+        }
+      }
     }
+  }
+
+  /** Writes data in the format of another program, if the file's name asks for one. */
+  static boolean writeData(Path file, Drawing drawing, Console console) throws IOException {
+    FileEnding ending = Verb.ending(file.toString());
+    if (!DataFile.isOf(ending)) {
+      return false;
+    }
+    List<Path> written = DataFile.write(file, ending, drawing, Progress.NONE);
+    for (Path beside : written.subList(1, written.size())) {
+      console.err().println(Shown.harmless(beside + ": written, too; it holds the vertices"));
+    }
+    return true;
   }
 
   /** Writes a picture of the whole scene. */

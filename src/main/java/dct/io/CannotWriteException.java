@@ -1,5 +1,6 @@
 package dct.io;
 
+import dct.io.format.CannotHold;
 import dct.io.text.Shown;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -23,6 +24,11 @@ public final class CannotWriteException extends IOException {
             + reason
             + "; nothing was changed, choose another place",
         cause);
+  }
+
+  /** Says that a format cannot hold what was to be written to a file. */
+  CannotWriteException(String file, CannotHold why) {
+    super(Shown.harmless(file) + ": " + why.getMessage(), why);
   }
 
   /** Why something failed, in a few words. */

@@ -2,6 +2,7 @@ package dct.io;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -10,7 +11,18 @@ import java.util.Optional;
 public enum FileEnding {
   TXT(Content.POINTS),
   JSON(Content.POINTS, Content.TRIANGULATION),
+  WKT(Content.POINTS),
+  GEOJSON(Content.POINTS),
+  NODE(Content.POINTS),
+  POLY(Content.POINTS),
+  ELE(Content.TRIANGULATION),
+  EDGE(Content.TRIANGULATION),
   OFF(Content.POINTS, Content.TRIANGULATION),
+  OBJ(Content.POINTS, Content.TRIANGULATION),
+  /** An instance of CG:SHOP 2026: points and triangulations of them. */
+  INSTANCE(".instance.json", Content.TRIANGULATION),
+  /** A solution of CG:SHOP 2026: flips. */
+  SOLUTION(".solution.json", Content.TRIANGULATION),
   PNG(Content.PICTURE, Content.CHART),
   SVG(Content.PICTURE, Content.CHART),
   PDF(Content.PICTURE, Content.CHART),
@@ -33,6 +45,7 @@ public enum FileEnding {
     CHART
   }
 
+  private final String dotted;
   private final Content content;
   private final Content other; // what it can hold, too; the same again if there is nothing else
 
@@ -40,7 +53,16 @@ public enum FileEnding {
     this(content, content);
   }
 
+  FileEnding(String dotted, Content content) {
+    this(Optional.of(dotted), content, content);
+  }
+
   FileEnding(Content content, Content other) {
+    this(Optional.empty(), content, other);
+  }
+
+  FileEnding(Optional<String> dotted, Content content, Content other) {
+    this.dotted = dotted.orElseGet(() -> "." + name().toLowerCase(Locale.ROOT));
     this.content = content;
     this.other = other;
   }
@@ -52,7 +74,9 @@ public enum FileEnding {
 
   /** The same for a name. */
   public static Optional<FileEnding> of(String name, Content... contents) {
-    return holding(contents).stream().filter(ending -> ending.isOf(name)).findFirst();
+    return holding(contents).stream()
+        .filter(ending -> ending.isOf(name))
+        .max(Comparator.comparingInt(ending -> ending.dotted.length()));
   }
 
   /** Whether a file's name ends so, in capitals or not. */
@@ -80,6 +104,11 @@ public enum FileEnding {
         : String.join(", ", words.subList(0, last)) + " or " + words.get(last);
   }
 
+  /** Whether a file of this ending can hold one of these. */
+  public boolean holds(Content... contents) {
+    return holding(contents).contains(this);
+  }
+
   private static List<FileEnding> holding(Content... contents) {
     List<Content> wished = List.of(contents);
     return Arrays.stream(values())
@@ -89,7 +118,7 @@ public enum FileEnding {
 
   /** The ending with its dot, in small letters. */
   public String dotted() {
-    return "." + name().toLowerCase(Locale.ROOT);
+    return dotted;
   }
 
   /** The endings of files that can hold one of these, without dots, as file panels take them. */

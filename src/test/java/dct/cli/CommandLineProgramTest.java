@@ -119,14 +119,16 @@ class CommandLineProgramTest {
             + " see dct triangulate --help",
         "triangulate a -o --json | dct triangulate: -o needs a value: OUTPUT;"
             + " see dct triangulate --help",
-        "triangulate a --optimize even --time-limit 1,5 | dct triangulate: --time-limit 1,5 is not a"
-            + " number, use one such as 2.5; see dct triangulate --help",
+        "triangulate a --optimize even --time-limit 1,5 | dct triangulate: --time-limit 1,5 is not"
+            + " a number, use one such as 2.5; see dct triangulate --help",
         "triangulate - --as point | dct triangulate: --as point is unknown (did you mean points?),"
             + " use polygon or points; see dct triangulate --help",
-        "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format,"
-            + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
-        "triangulate a -o b | dct triangulate: the ending of b is no format,"
-            + " use .txt, .json, .off, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
+        "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format, use .txt,"
+            + " .json, .wkt, .geojson, .node, .poly, .ele, .edge, .off, .obj, .instance.json,"
+            + " .solution.json, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
+        "triangulate a -o b | dct triangulate: the ending of b is no format, use .txt, .json, .wkt,"
+            + " .geojson, .node, .poly, .ele, .edge, .off, .obj, .instance.json, .solution.json,"
+            + " .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
         "triangulate a --json -o - | dct triangulate: --json and -o - both want standard output,"
             + " leave one out; see dct triangulate --help",
         "help chek | dct help: the verb chek is unknown (did you mean check?), use triangulate,"

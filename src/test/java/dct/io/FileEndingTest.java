@@ -28,6 +28,14 @@ class FileEndingTest {
   }
 
   @Test
+  void the_longest_ending_is_meant() {
+    assertThat(FileEnding.of("a.instance.json", Content.TRIANGULATION))
+        .contains(FileEnding.INSTANCE);
+    assertThat(FileEnding.of("instance.json", Content.TRIANGULATION)).contains(FileEnding.JSON);
+    assertThat(FileEnding.of("a.instance.json", Content.POINTS)).contains(FileEnding.JSON);
+  }
+
+  @Test
   void an_ending_is_added_where_none_fits() {
     assertThat(FileEnding.PNG.orElseOn(Path.of("f/a.svg"), Content.PICTURE)).hasToString("f/a.svg");
     assertThat(FileEnding.PNG.orElseOn(Path.of("f/a.b"), Content.PICTURE)).hasToString("f/a.b.png");

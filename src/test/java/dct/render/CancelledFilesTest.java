@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
-import dct.io.OffFile;
+import dct.io.DataFile;
+import dct.io.FileEnding;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.format.Drawing;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
@@ -67,7 +69,7 @@ class CancelledFilesTest {
     return switch (ending) {
       case "txt" -> (file, p) -> PointFile.write(file, sites.domain(), sites.points(), p);
       case "json" -> (file, p) -> ResultJson.write(file, solution, Optional.empty(), p);
-      case "off" -> (file, p) -> OffFile.write(file, solution.triangulation(), p);
+      case "off" -> (file, p) -> DataFile.write(file, FileEnding.OFF, Drawing.of(solution), p);
       default -> (file, p) -> PictureFile.write(Scene.of(solution), file, p);
     };
   }

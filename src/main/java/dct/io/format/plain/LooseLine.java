@@ -38,7 +38,7 @@ final class LooseLine {
    *
    * @param isWhole whether it is written in digits alone
    */
-  record Number(double value, boolean isWhole) {}
+  record Written(double value, boolean isWhole) {}
 
   /** What a line holds without the comment behind it. */
   static String withoutComment(String line) {
@@ -49,7 +49,7 @@ final class LooseLine {
    * The rows of numbers in a line without comment: none if it holds only brackets, several if each
    * stands in brackets of its own; nothing if it is no line of numbers.
    */
-  static Optional<List<List<Number>>> rows(String data) {
+  static Optional<List<List<Written>>> rows(String data) {
     if (GROUPED.matcher(data).find()) {
       return Optional.empty(); // one number or two
     }
@@ -60,12 +60,12 @@ final class LooseLine {
         : numbers(unquoted).map(List::of);
   }
 
-  private static Optional<List<List<Number>>> inBrackets(String data) {
-    List<List<Number>> rows = new ArrayList<>();
+  private static Optional<List<List<Written>>> inBrackets(String data) {
+    List<List<Written>> rows = new ArrayList<>();
     StringBuilder outside = new StringBuilder();
     Matcher row = INNERMOST.matcher(data);
     while (row.find()) {
-      Optional<List<Number>> numbers = numbers(row.group(1));
+      Optional<List<Written>> numbers = numbers(row.group(1));
       if (numbers.isEmpty()) {
         return Optional.empty();
       }
@@ -77,19 +77,19 @@ final class LooseLine {
     return SEPARATORS.matcher(rest).matches() ? Optional.of(rows) : Optional.empty();
   }
 
-  private static Optional<List<Number>> numbers(String text) {
+  private static Optional<List<Written>> numbers(String text) {
     if (GLUED.matcher(text).find() && APART.matcher(text).find()) {
       return Optional.empty(); // the commas can be decimal ones, or stand between thousands
     }
     String data = text.strip().replaceFirst("\\s*[,;]$", "");
-    List<Number> numbers = new ArrayList<>();
+    List<Written> numbers = new ArrayList<>();
     for (String word : SEPARATOR.split(data, -1)) {
       String usual = FORTRAN.matcher(word).replaceFirst("$1e$2");
       double value = Decimals.parse(usual);
       if (!Double.isFinite(value)) {
         return Optional.empty();
       }
-      numbers.add(new Number(value, WHOLE.matcher(word).matches()));
+      numbers.add(new Written(value, WHOLE.matcher(word).matches()));
     }
     return Optional.of(numbers);
   }

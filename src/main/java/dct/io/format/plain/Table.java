@@ -58,7 +58,7 @@ final class Table {
   }
 
   /** Adds a row of numbers, and hears which of them are written as whole numbers. */
-  void add(List<LooseLine.Number> row, int line) {
+  void add(List<LooseLine.Written> row, int line) {
     require(row.size(), line);
     int at = room(line);
     for (int c = 0; c < width; c++) {

@@ -157,8 +157,8 @@ public final class VertexText {
     if (table.size() == 0 && isHead(data)) {
       return;
     }
-    List<List<LooseLine.Number>> rows = LooseLine.rows(data).orElseThrow(fault::exception);
-    for (List<LooseLine.Number> row : rows) {
+    List<List<LooseLine.Written>> rows = LooseLine.rows(data).orElseThrow(fault::exception);
+    for (List<LooseLine.Written> row : rows) {
       if (row.size() < 2) {
         throw fault.exception();
       }

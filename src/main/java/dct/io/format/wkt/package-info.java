@@ -1,0 +1,2 @@
+/** Well-Known Text. */
+package dct.io.format.wkt;
