@@ -7,6 +7,7 @@ import dct.io.format.PointColumns;
 import dct.io.format.SeveralShapes;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
+import dct.io.format.plain.PlainFormat;
 import dct.io.text.BadInputException;
 import dct.problem.verify.Claims;
 import java.util.ArrayList;
@@ -51,7 +52,14 @@ final class ChosenShape {
         kept.points(),
         kept.lines(),
         claims(kept, domain),
-        notes);
+        notes,
+        isOwn());
+  }
+
+  private boolean isOwn() {
+    return shapes.format().equals(PlainFormat.TITLE)
+        && shapes.shapes().size() == 1
+        && notes.isEmpty();
   }
 
   private Optional<Claims> claims(Shape shape, Optional<Domain> domain) {

@@ -36,6 +36,7 @@ public final class PointDocument {
   private final int[] lines; // the line of each point
   private final Optional<Claims> claims; // what a file of JSON says, and whatever else it holds
   private final List<String> notes;
+  private final boolean own;
 
   PointDocument(
       String source,
@@ -44,7 +45,8 @@ public final class PointDocument {
       Points points,
       int[] lines,
       Optional<Claims> claims,
-      List<String> notes) {
+      List<String> notes,
+      boolean own) {
     this.source = source;
     this.declared = declared;
     this.domain = declared.orElse(otherwise);
@@ -52,6 +54,7 @@ public final class PointDocument {
     this.lines = lines;
     this.claims = claims;
     this.notes = List.copyOf(notes);
+    this.own = own;
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
@@ -59,7 +62,7 @@ public final class PointDocument {
     int[] lines = new int[points.size()];
     Arrays.setAll(lines, i -> i + 1);
     return new PointDocument(
-        source, Optional.of(domain), domain, points, lines, Optional.empty(), List.of());
+        source, Optional.of(domain), domain, points, lines, Optional.empty(), List.of(), true);
   }
 
   /**
@@ -75,7 +78,8 @@ public final class PointDocument {
         claims.points(),
         claims.lines(),
         Optional.of(claims).filter(said -> fits(said, choice.as())),
-        List.of());
+        List.of(),
+        true);
   }
 
   private static boolean fits(Claims claims, Optional<Domain> as) {
@@ -90,6 +94,14 @@ public final class PointDocument {
   /** What the file's name, or else its contents, say that the points are; nothing if neither. */
   public Optional<Domain> declared() {
     return declared;
+  }
+
+  /**
+   * Whether the file is of the program's own kind and holds nothing but what was read, so that
+   * writing it anew loses nothing.
+   */
+  public boolean isOwn() {
+    return own;
   }
 
   /** What was left out of the file, a sentence each without a full stop. */

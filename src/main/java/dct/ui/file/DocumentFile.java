@@ -27,9 +27,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** Reads and writes the files of documents, in the background. */
 public final class DocumentFile {
+
+  private static final Pattern PACKED = Pattern.compile("(?i).*\\.gz");
 
   private DocumentFile() {}
 
@@ -37,22 +40,24 @@ public final class DocumentFile {
    * What was read.
    *
    * @param origin where it was found
+   * @param own whether saving there loses nothing that the file holds
    * @param remark what there is to say of it; empty if nothing
    */
-  record Read(Document document, Origin origin, String remark) {}
+  record Read(Document document, Origin origin, boolean own, String remark) {}
 
   /**
    * Reads the file that a name leads to; the points need not make a simple polygon.
    *
-   * @param otherwise what the points are unless the file says so
+   * @param choice what is meant of it
+   * @throws dct.io.format.SeveralShapes if it holds several shapes and none was chosen
    * @throws BadInputException if it holds no points of one ring, wishes of other vertices, or a
    *     triangulation of which anything is false
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  static Read read(Path typed, Domain otherwise, Progress progress) {
+  static Read read(Path typed, Choice choice, Progress progress) {
     Path file = FileNames.forOpening(typed);
     Optional<FileStamp> stamp = FileStamp.of(file); // first, so that a change after it is seen
-    PointDocument read = PointFile.read(file, Choice.NONE.otherwise(otherwise), progress);
+    PointDocument read = PointFile.read(file, choice, progress);
     Points points = read.points();
     if (points.size() == 0) {
       throw new BadInputException(
@@ -79,7 +84,8 @@ public final class DocumentFile {
     Optional<Result> result =
         solution.filter(made -> !isAutomatic(made)).map(made -> result(domain, made));
     Document document = new Document(domain, kept, wishes(read, kept.size()), result);
-    return new Read(document, origin, remark);
+    boolean own = read.isOwn() && !PACKED.matcher(origin.name()).matches();
+    return new Read(document, origin, own, remark);
   }
 
   private static ParityGoal wishes(PointDocument read, int n) {

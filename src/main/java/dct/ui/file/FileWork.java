@@ -1,12 +1,17 @@
 package dct.ui.file;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileNames;
 import dct.io.FileStamp;
+import dct.io.format.Choice;
+import dct.io.format.SeveralShapes;
+import dct.io.format.Shapes;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
+import dct.ui.dialog.ShapeChooser;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.document.Origin;
@@ -17,12 +22,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
 /** What the File menu does to the documents. */
 public final class FileWork {
+  private static final Pattern ENDINGS = Pattern.compile("(?<=.)\\.");
+
   private final JFrame window;
   private final Workbench workbench;
   private final RecentFiles recent;
@@ -78,13 +86,42 @@ public final class FileWork {
   /** Opens a file in the application that it belongs to; whatever fails, nothing changes. */
   public void open(Path typed) {
     Domain otherwise = workbench.domain().orElse(Domain.POLYGON);
+    open(typed, Choice.NONE.otherwise(otherwise));
+    used(typed);
+  }
+
+  private void open(Path typed, Choice choice) {
     workbench
         .jobs()
         .read(
             "Reading " + typed.getFileName(),
-            progress -> DocumentFile.read(typed, otherwise, progress),
-            this::offer);
-    used(typed);
+            progress -> Found.in(typed, choice, progress),
+            found -> {
+              found.read.ifPresent(this::offer);
+              found.several.ifPresent(
+                  shapes -> SwingUtilities.invokeLater(() -> choose(typed, choice, shapes)));
+            });
+  }
+
+  private void choose(Path typed, Choice choice, Shapes shapes) {
+    String title = "Open " + typed.getFileName();
+    ShapeChooser.ask(window, title, shapes, choice).ifPresent(chosen -> open(typed, chosen));
+  }
+
+  /**
+   * What a file turned out to hold: a document, or several shapes of which one is to be chosen.
+   *
+   * @param read the document
+   * @param several the shapes
+   */
+  private record Found(Optional<Read> read, Optional<Shapes> several) {
+    static Found in(Path typed, Choice choice, Progress progress) {
+      try {
+        return new Found(Optional.of(DocumentFile.read(typed, choice, progress)), Optional.empty());
+      } catch (SeveralShapes e) {
+        return new Found(Optional.empty(), Optional.of(e.shapes()));
+      }
+    }
   }
 
   private void used(Path file) {
@@ -98,7 +135,8 @@ public final class FileWork {
   }
 
   private void show(Read read) {
-    show(read.document(), read.origin().name(), Optional.of(read.origin()));
+    Optional<Origin> origin = Optional.of(read.origin()).filter(from -> read.own());
+    show(read.document(), read.origin().name(), origin);
     recent.add(read.origin().file());
     if (!read.remark().isEmpty()) {
       workbench.say(read.remark());
@@ -202,7 +240,8 @@ public final class FileWork {
   /** The file that the document has, but one that keeps all of it. */
   private Path suggestion(Editor editor) {
     boolean named = FileNames.domain(Path.of(editor.name())).isPresent();
-    String name = named ? editor.name() : "untitled" + FileNames.suffix(editor.domain()) + ".txt";
+    String stem = editor.name().contains(".") ? ENDINGS.split(editor.name())[0] : "untitled";
+    String name = named ? editor.name() : stem + FileNames.suffix(editor.domain()) + ".txt";
     Path file =
         editor
             .origin()

@@ -8,7 +8,8 @@ import java.io.IOException;
 
 /** Text with a vertex a line; what no other format fits is taken for it. */
 public final class PlainFormat implements Format {
-  static final String TITLE = "Text";
+  /** What the format is called. */
+  public static final String TITLE = "Text";
 
   @Override
   public String title() {

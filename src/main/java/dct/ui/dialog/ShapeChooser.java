@@ -1,0 +1,107 @@
+package dct.ui.dialog;
+
+import dct.core.triangulate.Domain;
+import dct.io.format.Choice;
+import dct.io.format.Shape;
+import dct.io.format.Shapes;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+
+/** Asks which of the shapes of a file is meant, with a small picture of each. */
+public final class ShapeChooser {
+  private static final String OPEN = "Open";
+  private static final String AS_SITES = "All as Sites";
+  private static final String CANCEL = "Cancel";
+  private static final int GAP = 8;
+
+  private final Shapes shapes;
+  private final JList<Shape> list;
+  private final JOptionPane pane;
+
+  private ShapeChooser(Shapes shapes) {
+    this.shapes = shapes;
+    this.list = new JList<>(shapes.shapes().toArray(Shape[]::new));
+    list.setName("shapes");
+    list.getAccessibleContext().setAccessibleName("Shapes in the file");
+    list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    list.setSelectedIndex(0);
+    list.setVisibleRowCount(Math.min(8, shapes.shapes().size()));
+    list.setFixedCellHeight(ShapeIcon.HEIGHT + GAP);
+    list.setFixedCellWidth(420);
+    list.setCellRenderer(new Cell());
+    JPanel panel = new JPanel(new BorderLayout(0, GAP));
+    JLabel question = new JLabel(question());
+    question.setDisplayedMnemonic('W');
+    question.setLabelFor(list);
+    panel.add(question, BorderLayout.NORTH);
+    panel.add(new JScrollPane(list));
+    Object[] answers = {OPEN, AS_SITES, CANCEL};
+    pane =
+        new JOptionPane(
+            panel, JOptionPane.QUESTION_MESSAGE, JOptionPane.DEFAULT_OPTION, null, answers, OPEN);
+    list.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent e) {
+            if (e.getClickCount() == 2) {
+              pane.setValue(OPEN);
+            }
+          }
+        });
+  }
+
+  private String question() {
+    return "Which of the " + shapes.shapes().size() + " shapes (" + shapes.format() + ")?";
+  }
+
+  /**
+   * Asks; returns how to read the file again, or nothing if it shall not be read.
+   *
+   * @param before how it has been read
+   */
+  public static Optional<Choice> ask(Component parent, String title, Shapes shapes, Choice before) {
+    return new ShapeChooser(shapes).ask(parent, title, before);
+  }
+
+  private Optional<Choice> ask(Component parent, String title, Choice before) {
+    JDialog dialog = pane.createDialog(parent, title);
+    dialog.setResizable(true);
+    dialog.setVisible(true); // returns when it is closed
+    dialog.dispose();
+    int chosen = list.getSelectedIndex();
+    if (AS_SITES.equals(pane.getValue())) {
+      return Optional.of(before.as(Domain.SITES));
+    }
+    return OPEN.equals(pane.getValue()) && chosen >= 0
+        ? Optional.of(before.picking(chosen + 1))
+        : Optional.empty();
+  }
+
+  /** A shape with its picture and its description. */
+  private final class Cell extends DefaultListCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getListCellRendererComponent(
+        JList<?> all, Object value, int index, boolean selected, boolean focused) {
+      Shape shape = shapes.shapes().get(index);
+      String text = (index + 1) + ": " + shape.description();
+      super.getListCellRendererComponent(all, text, index, selected, focused);
+      setIcon(new ShapeIcon(shape));
+      setIconTextGap(2 * GAP);
+      setToolTipText(text);
+      return this;
+    }
+  }
+}
