@@ -19,12 +19,14 @@ import java.util.Optional;
 final class ChosenShape {
   private final String source;
   private final Shapes shapes;
+  private final boolean yUp;
   private final Choice choice;
   private final List<String> notes;
 
-  private ChosenShape(String source, Shapes shapes, Choice choice) {
+  private ChosenShape(String source, Shapes shapes, boolean yUp, Choice choice) {
     this.source = source;
     this.shapes = shapes;
+    this.yUp = yUp;
     this.choice = choice;
     this.notes = new ArrayList<>(shapes.notes());
   }
@@ -33,11 +35,12 @@ final class ChosenShape {
    * The document: of the shape that was picked, of the only one, or of all points if they are to be
    * sites.
    *
+   * @param yUp whether y grows upwards in such a file
    * @throws SeveralShapes if there are several and nothing says which
    * @throws BadInputException if there is none with the number that was picked
    */
-  static PointDocument of(String source, Shapes shapes, Choice choice) {
-    return new ChosenShape(source, shapes, choice).document();
+  static PointDocument of(String source, Shapes shapes, boolean yUp, Choice choice) {
+    return new ChosenShape(source, shapes, yUp, choice).document();
   }
 
   private PointDocument document() {
@@ -53,7 +56,8 @@ final class ChosenShape {
         kept.lines(),
         claims(kept, domain),
         notes,
-        isOwn());
+        isOwn(),
+        yUp);
   }
 
   private boolean isOwn() {

@@ -37,6 +37,7 @@ public final class PointDocument {
   private final Optional<Claims> claims; // what a file of JSON says, and whatever else it holds
   private final List<String> notes;
   private final boolean own;
+  private final boolean yUp;
 
   PointDocument(
       String source,
@@ -46,7 +47,8 @@ public final class PointDocument {
       int[] lines,
       Optional<Claims> claims,
       List<String> notes,
-      boolean own) {
+      boolean own,
+      boolean yUp) {
     this.source = source;
     this.declared = declared;
     this.domain = declared.orElse(otherwise);
@@ -55,6 +57,7 @@ public final class PointDocument {
     this.claims = claims;
     this.notes = List.copyOf(notes);
     this.own = own;
+    this.yUp = yUp;
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
@@ -62,7 +65,15 @@ public final class PointDocument {
     int[] lines = new int[points.size()];
     Arrays.setAll(lines, i -> i + 1);
     return new PointDocument(
-        source, Optional.of(domain), domain, points, lines, Optional.empty(), List.of(), true);
+        source,
+        Optional.of(domain),
+        domain,
+        points,
+        lines,
+        Optional.empty(),
+        List.of(),
+        true,
+        false);
   }
 
   /**
@@ -79,7 +90,8 @@ public final class PointDocument {
         claims.lines(),
         Optional.of(claims).filter(said -> fits(said, choice.as())),
         List.of(),
-        true);
+        true,
+        false);
   }
 
   private static boolean fits(Claims claims, Optional<Domain> as) {
@@ -102,6 +114,11 @@ public final class PointDocument {
    */
   public boolean isOwn() {
     return own;
+  }
+
+  /** Whether y grows upwards in the file's format. */
+  public boolean yUp() {
+    return yUp;
   }
 
   /** What was left out of the file, a sentence each without a full stop. */

@@ -101,7 +101,7 @@ public final class PointFile {
       return PointDocument.of(JsonText.read(name, text), choice);
     }
     Shapes shapes = format.get().read(new Input(name, text, file, choice.columns()));
-    return ChosenShape.of(name, shapes, choice);
+    return ChosenShape.of(name, shapes, format.get().yUp(), choice);
   }
 
   /**

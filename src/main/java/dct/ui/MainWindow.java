@@ -317,7 +317,10 @@ public final class MainWindow extends JFrame implements CommandWindow {
         .orElse(PROGRAM);
   }
 
-  private void showOpened() {
+  private void showOpened(boolean yUp) {
+    if (yUp && !canvas.viewport().yUp()) {
+      canvas.setViewport(canvas.viewport().flipped(0, 0));
+    }
     workbench.active().ifPresent(editor -> canvas.setScene(editor.shown().scene()));
     canvas.showWell();
   }
@@ -347,7 +350,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     Editor editor = workbench.editor(document.domain());
     editor.load(empty, orphan.name(), orphan.origin());
     editor.perform(new Edit.Replace("Recover Drawing", empty, document));
-    showOpened();
+    showOpened(false);
     say("Recovered " + orphan.name() + ", which is not saved yet");
   }
 

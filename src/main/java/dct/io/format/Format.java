@@ -8,6 +8,11 @@ public interface Format {
   /** What lists and messages call it, as {@code GeoJSON}. */
   String title();
 
+  /** Whether y grows upwards, as in mathematics and on maps. */
+  default boolean yUp() {
+    return true;
+  }
+
   /** Whether a file that starts so is of this format. */
   boolean fits(Head head);
 

@@ -49,7 +49,15 @@ public final class ShapeChooser {
     Object[] answers = {OPEN, AS_SITES, CANCEL};
     pane =
         new JOptionPane(
-            panel, JOptionPane.QUESTION_MESSAGE, JOptionPane.DEFAULT_OPTION, null, answers, OPEN);
+            panel, JOptionPane.QUESTION_MESSAGE, JOptionPane.DEFAULT_OPTION, null, answers, OPEN) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void selectInitialValue() {
+            super.selectInitialValue(); // makes Open the button of the Enter key
+            list.requestFocusInWindow();
+          }
+        };
     list.addMouseListener(
         new MouseAdapter() {
           @Override

@@ -41,9 +41,10 @@ public final class DocumentFile {
    *
    * @param origin where it was found
    * @param own whether saving there loses nothing that the file holds
+   * @param yUp whether y grows upwards in it
    * @param remark what there is to say of it; empty if nothing
    */
-  record Read(Document document, Origin origin, boolean own, String remark) {}
+  record Read(Document document, Origin origin, boolean own, boolean yUp, String remark) {}
 
   /**
    * Reads the file that a name leads to; the points need not make a simple polygon.
@@ -85,7 +86,7 @@ public final class DocumentFile {
         solution.filter(made -> !isAutomatic(made)).map(made -> result(domain, made));
     Document document = new Document(domain, kept, wishes(read, kept.size()), result);
     boolean own = read.isOwn() && !PACKED.matcher(origin.name()).matches();
-    return new Read(document, origin, own, remark);
+    return new Read(document, origin, own, read.yUp(), remark);
   }
 
   private static ParityGoal wishes(PointDocument read, int n) {

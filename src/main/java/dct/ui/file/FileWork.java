@@ -22,6 +22,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
@@ -34,7 +35,7 @@ public final class FileWork {
   private final JFrame window;
   private final Workbench workbench;
   private final RecentFiles recent;
-  private final Runnable shown;
+  private final Consumer<Boolean> shown;
   private Optional<Path> folder = Optional.empty(); // used last
 
   /** How an attempt to save ended; not well if another program has changed the file. */
@@ -43,9 +44,9 @@ public final class FileWork {
   /**
    * File work for a window.
    *
-   * @param shown is run when another document was put on the canvas
+   * @param shown hears of another document put on the canvas, and whether its y grows upwards
    */
-  public FileWork(JFrame window, Workbench workbench, RecentFiles recent, Runnable shown) {
+  public FileWork(JFrame window, Workbench workbench, RecentFiles recent, Consumer<Boolean> shown) {
     this.window = window;
     this.workbench = workbench;
     this.recent = recent;
@@ -75,7 +76,7 @@ public final class FileWork {
   private void startAnew(Editor editor) {
     editor.startAnew();
     workbench.chooseDraw();
-    shown.run();
+    shown.accept(false);
   }
 
   /** Asks for a file and opens it. */
@@ -136,7 +137,7 @@ public final class FileWork {
 
   private void show(Read read) {
     Optional<Origin> origin = Optional.of(read.origin()).filter(from -> read.own());
-    show(read.document(), read.origin().name(), origin);
+    show(read.document(), read.origin().name(), origin, read.yUp());
     recent.add(read.origin().file());
     if (!read.remark().isEmpty()) {
       workbench.say(read.remark());
@@ -146,14 +147,15 @@ public final class FileWork {
   /** Opens a sample. */
   public void openSample(String name) {
     Document sample = Samples.read(name);
-    unlessLost(workbench.editor(sample.domain()), () -> show(sample, name, Optional.empty()));
+    unlessLost(
+        workbench.editor(sample.domain()), () -> show(sample, name, Optional.empty(), false));
   }
 
-  private void show(Document document, String name, Optional<Origin> origin) {
+  private void show(Document document, String name, Optional<Origin> origin, boolean yUp) {
     workbench.choose(document.domain());
     workbench.chooseEdit(); // a stray click should not add a vertex to what was opened
     workbench.editor(document.domain()).load(document, name, origin);
-    shown.run();
+    shown.accept(yUp);
   }
 
   /** Does something that replaces the document; asks first if anything of it is not saved. */

@@ -16,6 +16,12 @@ public final class PlainFormat implements Format {
     return TITLE;
   }
 
+  /** In the thesis's files y grows downwards, as on its canvas. */
+  @Override
+  public boolean yUp() {
+    return false;
+  }
+
   @Override
   public boolean fits(Head head) {
     return true;
