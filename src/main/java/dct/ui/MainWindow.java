@@ -15,6 +15,7 @@ import dct.ui.dialog.Placement;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.edit.CopyAsCommands;
 import dct.ui.edit.CrossingWork;
 import dct.ui.edit.EditCommands;
 import dct.ui.edit.ModeCommands;
@@ -149,6 +150,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     ModeCommands.offer(commands, workbench);
     EditCommands.offer(commands, workbench);
     SelectionCommands.offer(commands, workbench);
+    CopyAsCommands.offer(commands, workbench, canvas);
     SnapCommands.offer(commands, this, workbench.snap(), session.settings());
     crossings.offer(commands);
     FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);

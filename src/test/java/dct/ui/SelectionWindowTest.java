@@ -11,6 +11,7 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import javax.swing.JTable;
+import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
 
 /** Selecting, moving, copying, pasting and removing vertices; snapping by Ipe's keys. */
@@ -125,6 +126,46 @@ class SelectionWindowTest extends WindowTest {
     assertThat(undoLabel()).isEqualTo("Duplicate 2 Sites");
     assertThat(points().x(6)).isEqualTo(520);
     assertThat(selection()).isEqualTo(Selection.of(5, 6));
+  }
+
+  private static Object clipboard() throws Exception {
+    return Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+  }
+
+  @Test
+  void verticesAreCopiedForOtherProgramsAndOneOfSeveralRingsIsPasted() throws Exception {
+    draw();
+    clickMenu("Edit");
+    clickMenu("Copy as WKT");
+    assertThat(clipboard()).isEqualTo("POLYGON ((100 100, 300 100, 300 300, 100 300, 100 100))\n");
+    clickMenu("Edit");
+    clickMenu("Copy as GeoJSON");
+    assertThat(clipboard().toString()).startsWith("{\"type\": \"Polygon\"").contains("[300, 300]");
+    band(50, 50, 350, 150);
+    clickMenu("Edit");
+    clickMenu("Copy for Ipe");
+    assertThat(clipboard())
+        .isEqualTo(
+            "<ipeselection pos=\"0 0\">\n"
+                + "<path stroke=\"black\">\n"
+                + "100 -100 m\n"
+                + "300 -100 l\n"
+                + "h\n"
+                + "</path>\n"
+                + "</ipeselection>\n");
+    type(KeyEvent.VK_ESCAPE);
+    Toolkit.getDefaultToolkit()
+        .getSystemClipboard()
+        .setContents(new StringSelection("0 0\n10 0\n10 10\n\n500 500\n600 500\n600 600\n"), null);
+    takeKeyboard();
+    robot.pressKey(KeyEvent.VK_CONTROL);
+    robot.pressAndReleaseKeys(KeyEvent.VK_V);
+    robot.releaseKey(KeyEvent.VK_CONTROL);
+    JOptionPaneFixture question = dialog();
+    question.list("shapes").selectItem(1);
+    answer(question, "Open");
+    await("the second ring", () -> points().size() == 7);
+    assertThat(points().x(6)).isEqualTo(600);
   }
 
   @Test

@@ -1,13 +1,17 @@
 package dct.ui.edit;
 
 import dct.core.Decimals;
+import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
 import dct.io.format.Choice;
+import dct.io.format.SeveralShapes;
+import dct.io.format.Shapes;
 import dct.ui.command.CommandRegistry;
+import dct.ui.dialog.ShapeChooser;
 import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
@@ -16,6 +20,8 @@ import dct.ui.tool.Snap;
 import dct.ui.tool.Spot;
 import dct.ui.vertices.RowsText;
 import dct.ui.workbench.Workbench;
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -26,6 +32,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.SwingUtilities;
 
 /**
  * The commands for the vertices that are selected. The clipboard holds a line "x y" for each.
@@ -125,20 +132,48 @@ public final class SelectionCommands {
       workbench.say("The clipboard holds no text; copy lines “x y” first");
       return;
     }
+    paste(text.get(), Choice.NONE.as(workbench.document().domain()));
+  }
+
+  private void paste(String text, Choice choice) {
     Domain domain = workbench.document().domain();
     workbench
         .jobs()
         .read(
             "Pasting",
-            progress -> {
-              Points read = parse(text.get(), domain);
-              return domain == Domain.SITES ? Sites.of(read, progress).points() : read;
-            },
-            points -> {
-              if (workbench.isChosen(domain)) {
-                insert("Paste", points, ParityGoal.allEven(points.size()), 0);
-              }
+            progress -> Found.in(text, choice, domain, progress),
+            found -> {
+              found.points.filter(p -> workbench.isChosen(domain)).ifPresent(this::paste);
+              found.several.ifPresent(
+                  shapes -> SwingUtilities.invokeLater(() -> choose(text, choice, shapes)));
             });
+  }
+
+  private void paste(Points points) {
+    insert("Paste", points, ParityGoal.allEven(points.size()), 0);
+  }
+
+  private void choose(String text, Choice choice, Shapes shapes) {
+    Component over = KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow();
+    ShapeChooser.ask(over, "Paste", shapes, choice).ifPresent(chosen -> paste(text, chosen));
+  }
+
+  /**
+   * What a text turned out to hold: points, or several shapes of which one is to be chosen.
+   *
+   * @param points the points
+   * @param several the shapes
+   */
+  private record Found(Optional<Points> points, Optional<Shapes> several) {
+    static Found in(String text, Choice choice, Domain domain, Progress progress) {
+      try {
+        Points read = parse(text, choice);
+        Points distinct = domain == Domain.SITES ? Sites.of(read, progress).points() : read;
+        return new Found(Optional.of(distinct), Optional.empty());
+      } catch (SeveralShapes e) {
+        return new Found(Optional.empty(), Optional.of(e.shapes()));
+      }
+    }
   }
 
   private static Optional<String> clipboard() {
@@ -151,11 +186,10 @@ public final class SelectionCommands {
     }
   }
 
-  private static Points parse(String text, Domain domain) {
+  private static Points parse(String text, Choice choice) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     try {
-      return PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes), Choice.NONE.as(domain))
-          .points();
+      return PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes), choice).points();
     } catch (IOException e) {
       throw new UncheckedIOException(e); // an array has no errors
     }
