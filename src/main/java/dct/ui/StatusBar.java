@@ -41,7 +41,7 @@ final class StatusBar extends JPanel {
     super(new BorderLayout(GAP, 0));
     setBorder(BorderFactory.createEmptyBorder(5, GAP, 5, GAP));
     message.setName("status");
-    message.getAccessibleContext().setAccessibleDescription("Status");
+    message.getAccessibleContext().setAccessibleName("Status");
     zoom.setName("zoom");
     zoom.getAccessibleContext().setAccessibleDescription("Scale of the canvas");
     list = new JobList(jobs);
@@ -90,11 +90,11 @@ final class StatusBar extends JPanel {
     }
   }
 
-  /** Shows a text; a screen reader says it. */
+  /** Shows a text; a screen reader hears of it as the new description of the status. */
   private void show(String text) {
     message.setText(text);
     message.setToolTipText(text); // where it does not fit
-    message.getAccessibleContext().setAccessibleName(text);
+    message.getAccessibleContext().setAccessibleDescription(text);
   }
 
   /** Shows a message about the document as it is. */

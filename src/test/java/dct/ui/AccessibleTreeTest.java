@@ -12,10 +12,10 @@ import java.awt.Window;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import javax.accessibility.AccessibleContext;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollBar;
 import javax.swing.JSlider;
@@ -65,10 +65,19 @@ class AccessibleTreeTest extends WindowTest {
         .contains("11 sites")
         .containsIgnoringCase("even")
         .containsIgnoringCase("odd");
-    JLabel status = frame.label("status").target();
-    assertThat(onEventThread(() -> status.getAccessibleContext().getAccessibleName()))
-        .isEqualTo(onEventThread(status::getText))
-        .isNotBlank();
+    AccessibleContext status = frame.label("status").target().getAccessibleContext();
+    List<Object> heard = new CopyOnWriteArrayList<>();
+    status.addPropertyChangeListener(
+        change -> {
+          if (AccessibleContext.ACCESSIBLE_DESCRIPTION_PROPERTY.equals(change.getPropertyName())) {
+            heard.add(change.getNewValue());
+          }
+        });
+    check("Split Vertex");
+    String text = onEventThread(() -> frame.label("status").target().getText());
+    assertThat(heard).last().isEqualTo(text);
+    assertThat(onEventThread(status::getAccessibleDescription)).isEqualTo(text).isNotBlank();
+    assertThat(onEventThread(status::getAccessibleName)).isEqualTo("Status");
   }
 
   @Test
