@@ -3,6 +3,7 @@ package dct.cli;
 import dct.core.Progress;
 import dct.io.FileEnding.Content;
 import dct.io.PointDocument;
+import dct.io.format.Shape;
 import dct.io.text.Shown;
 import dct.problem.Solution;
 import java.io.IOException;
@@ -14,7 +15,9 @@ import picocli.CommandLine.Model.OptionSpec;
 final class ConvertCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec output =
-      outputs(true, "Where to: " + endings() + "; - is text on standard output. May repeat.");
+      outputs(false, "Where to: " + endings() + "; - is text on standard output. May repeat.");
+  private final OptionSpec list =
+      flag("--list", "List the shapes in the input, as --pick numbers them, instead.");
 
   private final OptionSpec legend = legend();
 
@@ -24,18 +27,34 @@ final class ConvertCommand extends Verb {
         "Writes a file in another format.",
         "The points need not be a polygon. The triangulation of a result is kept where the format"
             + " can hold one.");
-    examples("dct convert samples/star_polygonbased.txt -o star.ipe");
+    examples(
+        "dct convert samples/star_polygonbased.txt -o star.ipe",
+        "dct convert samples/star_polygonbased.txt --list");
   }
 
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
+    if (isSet(list)) {
+      list();
+      return CommandLineProgram.DONE;
+    }
+    if (outputs.isEmpty()) {
+      throw new UsageException("-o OUTPUT is missing");
+    }
     PointDocument document = input.read(Progress.NONE);
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
     try (Interruption interruption = new Interruption()) {
       write(document, solution, outputs);
       return interruption.status();
+    }
+  }
+
+  private void list() throws IOException {
+    List<Shape> shapes = input.shapes(Progress.NONE).shapes();
+    for (int i = 0; i < shapes.size(); i++) {
+      console().print(i + 1 + ": " + Shown.harmless(shapes.get(i).description()));
     }
   }
 

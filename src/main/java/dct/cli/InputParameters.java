@@ -6,6 +6,7 @@ import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
+import dct.io.format.Shapes;
 import dct.io.text.BadInputException;
 import dct.io.text.Shown;
 import dct.problem.Instance;
@@ -74,10 +75,21 @@ final class InputParameters {
     return read(name(), choice(), console, progress);
   }
 
+  /** All shapes of the input. */
+  Shapes shapes(Progress progress) throws IOException {
+    return name().equals(Verb.STANDARD_STREAM)
+        ? PointFile.shapes(name(), console.in(), columns())
+        : PointFile.shapes(path(name()), columns(), progress);
+  }
+
   private Choice choice() {
     Integer number = pick.getValue();
     OptionalInt picked = number == null ? OptionalInt.empty() : OptionalInt.of(number);
-    return new Choice(asked(), Domain.POLYGON, picked, new Columns(pair(), skipped()));
+    return new Choice(asked(), Domain.POLYGON, picked, columns());
+  }
+
+  private Columns columns() {
+    return new Columns(pair(), skipped());
   }
 
   private int skipped() {

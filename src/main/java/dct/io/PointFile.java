@@ -5,14 +5,17 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
+import dct.io.format.Columns;
 import dct.io.format.Format;
 import dct.io.format.Head;
 import dct.io.format.Input;
+import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.format.plain.TextLayout;
 import dct.io.format.plain.VertexText;
 import dct.io.text.BadInputException;
 import dct.io.text.PlainText;
+import dct.problem.verify.Claims;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -86,6 +89,38 @@ public final class PointFile {
    */
   public static PointDocument read(String name, InputStream in, Choice choice) throws IOException {
     return read(name, in, Optional.empty(), choice);
+  }
+
+  /**
+   * All shapes of a file, without choosing one.
+   *
+   * @throws BadInputException if there is no such file, or it holds no points
+   */
+  public static Shapes shapes(Path typed, Columns columns, Progress progress) {
+    Path file = FileNames.forOpening(typed);
+    return open(file, progress, (name, in) -> shapes(name, in, Optional.of(file), columns));
+  }
+
+  /** The same for a stream. */
+  public static Shapes shapes(String name, InputStream in, Columns columns) throws IOException {
+    return shapes(name, in, Optional.empty(), columns);
+  }
+
+  private static Shapes shapes(String name, InputStream in, Optional<Path> file, Columns columns)
+      throws IOException {
+    BufferedInputStream text = new BufferedInputStream(PlainText.of(name, in), Head.LENGTH);
+    Optional<Format> format = Formats.of(Head.of(text));
+    return format.isPresent()
+        ? format.get().read(new Input(name, text, file, columns))
+        : ownShape(JsonText.read(name, text));
+  }
+
+  private static Shapes ownShape(Claims said) {
+    Shape.Kind kind =
+        said.domain()
+            .map(domain -> domain == Domain.SITES ? Shape.Kind.SITES : Shape.Kind.RING)
+            .orElse(Shape.Kind.POINTS);
+    return Shapes.of("JSON", new Shape(kind, "", said.points(), said.lines(), Optional.empty()));
   }
 
   /** The same where the content tells what the points are. */

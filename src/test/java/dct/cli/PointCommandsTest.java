@@ -225,4 +225,30 @@ class PointCommandsTest {
         .isEqualTo("-: 3 usable sites (2 duplicates merged)\n");
     assertThat(CliRun.withInput("0 0\n4 0\n0 4", "check", "-", "--quiet").done().out()).isEmpty();
   }
+
+  @Test
+  void shapes_are_listed_picked_and_read_as_sites() {
+    Path rings = Path.of("src/test/resources/cases/two_rings.txt");
+    assertThat(CliRun.of("convert", rings, "--list").done().out())
+        .isEqualTo("1: 3 points\n2: 5 points\n");
+    assertThat(CliRun.of("check", rings, "--pick", "2").done().out()).contains("5 vertices");
+    assertThat(CliRun.of("check", rings, "--pick", "3").status()).isEqualTo(3);
+    assertThat(CliRun.of("check", rings, "--pick", "3").err())
+        .isEqualTo(
+            rings + ": there are only 2 shapes, none with the number 3; pick one from 1 to 2\n");
+    assertThat(CliRun.of("check", rings, "--as", "points").done().out()).contains("usable sites");
+    CliRun none = CliRun.of("convert", rings);
+    assertThat(none.status()).isEqualTo(2);
+    assertThat(none.err()).contains("-o OUTPUT is missing");
+  }
+
+  @Test
+  void columns_and_lines_to_skip_are_named() {
+    Path three = Path.of("src/test/resources/cases/three_whole_columns.txt");
+    assertThat(CliRun.of("check", three, "--columns", "2,3").done().out()).contains("4 vertices");
+    assertThat(CliRun.of("check", three, "--columns", "2,3", "--skip", "1").done().out())
+        .contains("3 vertices");
+    assertThat(CliRun.of("check", three, "--columns", "2").status()).isEqualTo(2);
+    assertThat(CliRun.of("check", three, "--skip", "-1").status()).isEqualTo(2);
+  }
 }
