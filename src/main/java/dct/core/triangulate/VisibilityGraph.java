@@ -63,6 +63,22 @@ public final class VisibilityGraph {
    */
   public static VisibilityGraph of(
       SimplePolygon polygon, Triangulation triangulation, long mostPairs, Progress progress) {
+    return within(polygon, triangulation, Integer.MAX_VALUE, mostPairs, progress);
+  }
+
+  /**
+   * Of the visibility graph, the pairs whose segment crosses few edges of a triangulation, those
+   * edges themselves included; or null if there are more than allowed. O(3n · 2^most) time.
+   *
+   * @param most so many edges may be crossed
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static VisibilityGraph within(
+      SimplePolygon polygon,
+      Triangulation triangulation,
+      int most,
+      long mostPairs,
+      Progress progress) {
     int n = polygon.size();
     int[][] seen = new int[n][];
     AtomicLong pairs = new AtomicLong();
@@ -72,7 +88,7 @@ public final class VisibilityGraph {
         .forEach(
             task -> {
               progress.report((double) done.get() / n, "Finding what each vertex sees");
-              Cone cone = new Cone(polygon, triangulation);
+              Cone cone = new Cone(polygon, triangulation, most);
               int first = task * VERTICES_A_TASK;
               int end = Math.min(n, first + VERTICES_A_TASK);
               for (int i = first; i < end && pairs.get() <= mostPairs; i++) {
@@ -128,13 +144,16 @@ public final class VisibilityGraph {
     private final SimplePolygon polygon;
     private final Points points;
     private final Dcel dcel;
-    private int[] waiting = new int[96]; // of three: half-edge to look through, right, left limit
+    private final int most;
+    private int[] waiting =
+        new int[128]; // of four: half-edge to look through, right, left limit, edges crossed before
     private int waitingCount;
     private int[] found = new int[64];
     private int foundCount;
 
-    Cone(SimplePolygon polygon, Triangulation triangulation) {
+    Cone(SimplePolygon polygon, Triangulation triangulation, int most) {
       this.polygon = polygon;
+      this.most = most;
       points = polygon.points();
       dcel = triangulation.dcel();
     }
@@ -147,7 +166,7 @@ public final class VisibilityGraph {
       see(i, dcel.target(e));
       while (dcel.face(e) != Dcel.OUTER) {
         int through = dcel.next(e);
-        await(through, dcel.origin(through), dcel.target(through));
+        await(through, dcel.origin(through), dcel.target(through), 0);
         lookThroughAll(i, v);
         e = dcel.rotate(e);
         see(i, dcel.target(e));
@@ -173,39 +192,41 @@ public final class VisibilityGraph {
       }
     }
 
-    private void await(int through, int right, int left) {
-      if (waitingCount + 3 > waiting.length) {
+    private void await(int through, int right, int left, int crossed) {
+      if (waitingCount + 4 > waiting.length) {
         waiting = Arrays.copyOf(waiting, 2 * waiting.length);
       }
       waiting[waitingCount++] = through;
       waiting[waitingCount++] = right;
       waiting[waitingCount++] = left;
+      waiting[waitingCount++] = crossed;
     }
 
     private void lookThroughAll(int i, int v) {
       while (waitingCount > 0) {
+        int crossed = waiting[--waitingCount];
         int left = waiting[--waitingCount];
         int right = waiting[--waitingCount];
         int through = waiting[--waitingCount];
         if (through == Dcel.NONE) {
           see(i, right);
-        } else if (dcel.face(through ^ 1) != Dcel.OUTER) {
-          lookThrough(v, through ^ 1, right, left);
+        } else if (crossed < most && dcel.face(through ^ 1) != Dcel.OUTER) {
+          lookThrough(v, through ^ 1, right, left, crossed + 1);
         }
       }
     }
 
     /** The side of the triangle of e that is turned to v is e; its far corner narrows the cone. */
-    private void lookThrough(int v, int e, int right, int left) {
+    private void lookThrough(int v, int e, int right, int left, int crossed) {
       int far = dcel.target(dcel.next(e));
       if (points.orient(v, right, far) <= 0) {
-        await(dcel.prev(e), right, left);
+        await(dcel.prev(e), right, left, crossed);
       } else if (points.orient(v, far, left) <= 0) {
-        await(dcel.next(e), right, left);
+        await(dcel.next(e), right, left, crossed);
       } else {
-        await(dcel.prev(e), far, left);
-        await(Dcel.NONE, far, far);
-        await(dcel.next(e), right, far);
+        await(dcel.prev(e), far, left, crossed);
+        await(Dcel.NONE, far, far, crossed);
+        await(dcel.next(e), right, far, crossed);
       }
     }
   }

@@ -60,6 +60,28 @@ class PolygonOptimizerTest {
     }
   }
 
+  /** What ends at the bound before the table has the table's count, for all wishes even or odd. */
+  @Test
+  void equalsTheTableForAllWishesOnConvexPolygons() {
+    for (int n = 4; n <= 12; n++) {
+      SimplePolygon polygon =
+          SimplePolygon.of(RandomPolygons.convex(n, new Random(n)), Progress.NONE);
+      int size = polygon.size();
+      Triangulation any = MonotoneTriangulation.triangulate(polygon, Progress.NONE);
+      for (int odd = 0; odd < 1 << size; odd++) {
+        Wish[] wishes = new Wish[size];
+        for (int v = 0; v < size; v++) {
+          wishes[v] = (odd >> v & 1) == 1 ? Wish.ODD : Wish.EVEN;
+        }
+        ParityGoal goal = ParityGoal.of(wishes);
+        Optimum table = PolygonOptimizer.exact(polygon, goal, any, Progress.NONE).orElseThrow();
+        assertThat(optimize(polygon, goal).unmet())
+            .as("%d vertices, odd %s", size, Integer.toBinaryString(odd))
+            .isEqualTo(table.unmet());
+      }
+    }
+  }
+
   private static List<ParityGoal> goals(int n, Random random) {
     return List.of(ParityGoal.allEven(n), ParityGoal.allOdd(n), randomWishes(n, random));
   }
