@@ -2,7 +2,9 @@ package dct.io;
 
 import dct.io.format.Format;
 import dct.io.format.Head;
+import dct.io.format.json.JsonFormat;
 import dct.io.format.plain.PlainFormat;
+import dct.io.format.wkt.WktFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -10,7 +12,7 @@ import java.util.regex.Pattern;
 /** The formats that shapes are read from; the first that fits a file's start is taken. */
 public final class Formats {
   private static final Pattern NUMBER_IN_BRACE = Pattern.compile("\\{\\s*[-+.0-9{]");
-  private static final List<Format> FOREIGN = List.of();
+  private static final List<Format> FOREIGN = List.of(new WktFormat(), new JsonFormat());
   private static final Format PLAIN = new PlainFormat();
 
   private Formats() {}

@@ -9,7 +9,6 @@ import dct.core.degree.Flip;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.io.format.PointColumns;
-import dct.io.format.plain.ForeignText;
 import dct.io.text.BadInputException;
 import dct.io.text.LineReader;
 import dct.io.text.Shown;
@@ -102,8 +101,7 @@ final class JsonText {
               + "; read it with the version of the program that wrote it");
     }
     if (points == null) {
-      throw fault(
-          ForeignText.json(values.keySet()).orElse("there is no field \"points\"") + "; " + FORM);
+      throw fault("there is no field \"points\"; " + FORM);
     }
     return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges, flips);
   }

@@ -48,7 +48,6 @@ class BadTextTest {
         "1,000 2,5 | 1,000 is written with a decimal comma; write it with a point, 1.000",
         "1,000,000 2 | 1,000,000 has commas between thousands; write it as 1000000",
         "1d 2 | \"1d\" is not a number; FORM",
-        "POINT (1 2) | this looks like WKT; FORM",
         "1 | there is only one number; FORM",
         "1, | there is only one number; FORM",
         "',1 2' | a number is missing beside a comma or semicolon; FORM",
@@ -165,7 +164,9 @@ class BadTextTest {
   @Test
   void json_that_is_something_else() {
     assertThat(fault("{\"type\": \"Feature\", \"geometry\": null}\n"))
-        .isEqualTo("1: this looks like GeoJSON; write \"points\": [[x, y], …]");
+        .isEqualTo(
+            "1: there is no geometry with points in this GeoJSON; write \"type\": \"Polygon\","
+                + " \"coordinates\": [[[x, y], …]]");
     assertThat(fault("{\"a\": " + "[".repeat(300))).as("a short place").hasSizeLessThan(120);
     assertThat(fault("{ ; }")).isEqualTo("1: this is not JSON; correct it");
   }

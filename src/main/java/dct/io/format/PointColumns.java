@@ -22,6 +22,17 @@ public final class PointColumns {
     line[size++] = pointLine;
   }
 
+  /** Whether the last of several points is at the place of the first. */
+  public boolean isClosed() {
+    return size > 1 && x[0] == x[size - 1] && y[0] == y[size - 1];
+  }
+
+  /** Removes the last point. */
+  public void removeLast() {
+    size--;
+  }
+
+  /** How many there are. */
   public int size() {
     return size;
   }

@@ -1,21 +1,13 @@
 package dct.io.format.plain;
 
 import java.util.Optional;
-import java.util.Set;
 import java.util.regex.Pattern;
 
 /** Forms of other programs, told by a line that is not a vertex. */
-public enum ForeignText {
-  WKT(
-      "(?i)(SRID=\\d+;)?\\s*(MULTI)?(POLYGON|POINT|LINESTRING|GEOMETRYCOLLECTION|TRIANGLE|TIN)\\b.*",
-      "this looks like WKT; write one vertex a line, as two numbers x y"),
+enum ForeignText {
   XML(
       "<[?!a-zA-Z].*",
       "this looks like XML, as SVG and KML are; write one vertex a line, as two numbers x y"),
-  ARRAY(
-      "\\[\\s*(\\[.*)?",
-      "this looks like a list of JSON or Python; write one vertex a line, as two numbers x y, or"
-          + " {\"points\": [[x, y], …]}"),
   PARENTHESES(
       "\\(.*", "the parentheses do not hold one vertex each; write two numbers x y in each pair"),
   BRACES("\\{.*", "the braces do not hold one vertex each; write two numbers x y in each pair"),
@@ -54,16 +46,5 @@ public enum ForeignText {
       }
     }
     return Optional.empty();
-  }
-
-  /** What an object of JSON looks like that has these fields and no points. */
-  public static Optional<String> json(Set<String> fields) {
-    if (fields.contains("points_x") && fields.contains("points_y")) {
-      return Optional.of("this looks like an instance of CG:SHOP");
-    }
-    boolean isGeo = fields.contains("features") || fields.contains("coordinates");
-    return isGeo || fields.contains("geometry") || fields.contains("geometries")
-        ? Optional.of("this looks like GeoJSON")
-        : Optional.empty();
   }
 }

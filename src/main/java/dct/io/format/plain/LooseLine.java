@@ -50,14 +50,22 @@ final class LooseLine {
    * stands in brackets of its own; nothing if it is no line of numbers.
    */
   static Optional<List<List<Written>>> rows(String data) {
-    if (GROUPED.matcher(data).find()) {
-      return Optional.empty(); // one number or two
+    String plain = data;
+    if (!isAscii(data)) {
+      if (GROUPED.matcher(data).find()) {
+        return Optional.empty(); // one number or two
+      }
+      plain = WIDE_BLANK.matcher(MINUS.matcher(data).replaceAll("-")).replaceAll(" ");
     }
-    String plain = WIDE_BLANK.matcher(MINUS.matcher(data).replaceAll("-")).replaceAll(" ");
-    String unquoted = QUOTED.matcher(plain).replaceAll("$1$2");
+    boolean quoted = plain.indexOf('"') >= 0 || plain.indexOf('\'') >= 0;
+    String unquoted = quoted ? QUOTED.matcher(plain).replaceAll("$1$2") : plain;
     return BRACKET.matcher(unquoted).find()
         ? inBrackets(unquoted)
         : numbers(unquoted).map(List::of);
+  }
+
+  private static boolean isAscii(String text) {
+    return text.chars().allMatch(c -> c < 0x80);
   }
 
   private static Optional<List<List<Written>>> inBrackets(String data) {
@@ -78,14 +86,16 @@ final class LooseLine {
   }
 
   private static Optional<List<Written>> numbers(String text) {
-    if (GLUED.matcher(text).find() && APART.matcher(text).find()) {
+    if (text.indexOf(',') >= 0 && GLUED.matcher(text).find() && APART.matcher(text).find()) {
       return Optional.empty(); // the commas can be decimal ones, or stand between thousands
     }
     String data = text.strip().replaceFirst("\\s*[,;]$", "");
     List<Written> numbers = new ArrayList<>();
     for (String word : SEPARATOR.split(data, -1)) {
-      String usual = FORTRAN.matcher(word).replaceFirst("$1e$2");
-      double value = Decimals.parse(usual);
+      double value = Decimals.parse(word);
+      if (!Double.isFinite(value)) {
+        value = Decimals.parse(FORTRAN.matcher(word).replaceFirst("$1e$2"));
+      }
       if (!Double.isFinite(value)) {
         return Optional.empty();
       }

@@ -1,0 +1,185 @@
+package dct.io.format.json;
+
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
+import com.google.gson.stream.MalformedJsonException;
+import dct.core.Decimals;
+import dct.io.format.Input;
+import dct.io.format.PointColumns;
+import dct.io.text.BadInputException;
+import dct.io.text.LineReader;
+import dct.io.text.Shown;
+import java.io.BufferedReader;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** A stream of JSON, and the pieces of it that geometries are made of. */
+final class JsonScanner {
+  private static final int DEEPEST = 100;
+  private static final String PAIR = "write a point as [x, y]";
+
+  private final String name;
+  private final LineReader lines;
+  final JsonReader json;
+
+  JsonScanner(Input input) {
+    name = input.name();
+    lines =
+        new LineReader(
+            new BufferedReader(
+                new InputStreamReader(input.in(), StandardCharsets.UTF_8.newDecoder()), 1 << 16));
+    json = new JsonReader(lines);
+    json.setStrictness(Strictness.STRICT);
+    json.setNestingLimit(DEEPEST);
+  }
+
+  /** What reads a whole text. */
+  @FunctionalInterface
+  interface Body {
+    void read() throws IOException;
+  }
+
+  /** Reads a whole text; whatever is wrong with its form becomes one sentence. */
+  void whole(Body body) throws IOException {
+    try {
+      body.read();
+      if (json.peek() != JsonToken.END_DOCUMENT) {
+        throw fault("something follows the JSON text; remove it");
+      }
+    } catch (EOFException e) {
+      throw fault("the JSON text ends too early; restore the rest of the file");
+    } catch (MalformedJsonException | IllegalStateException e) {
+      String deep = String.valueOf(e.getMessage()).startsWith("Nesting limit") ? ", too deep" : "";
+      throw fault("this is not JSON as expected" + deep + place() + "; correct it");
+    } catch (CharacterCodingException e) {
+      throw fault("the text is not UTF-8; save it as UTF-8");
+    }
+  }
+
+  private String place() {
+    String path = json.getPath();
+    String place = path.substring(path.startsWith("$.") ? 2 : 1);
+    return place.isEmpty() ? "" : ", at " + Shown.word(place);
+  }
+
+  BadInputException fault(String fault) {
+    return new BadInputException(name, lines.line(), fault);
+  }
+
+  /** A finite number, written plainly or in quotation marks. */
+  double number() throws IOException {
+    String text = json.nextString();
+    double value = Decimals.parse(text);
+    if (!Double.isFinite(value)) {
+      throw fault("\"" + Shown.word(text) + "\" is no finite number" + place() + "; correct it");
+    }
+    return value;
+  }
+
+  /** A list of numbers. */
+  double[] numbers() throws IOException {
+    double[] numbers = new double[16];
+    int size = 0;
+    json.beginArray();
+    while (json.hasNext()) {
+      if (size == numbers.length) {
+        numbers = Arrays.copyOf(numbers, Math.multiplyExact(2, size));
+      }
+      numbers[size++] = number();
+    }
+    json.endArray();
+    return Arrays.copyOf(numbers, size);
+  }
+
+  /** Arrays of points, however deep. */
+  Nested nested() throws IOException {
+    Nested nested = new Nested();
+    array(nested);
+    return nested;
+  }
+
+  /** Reads an array or an object with x and y; gives how deep it is nested. */
+  private int array(Nested into) throws IOException {
+    if (json.peek() == JsonToken.BEGIN_OBJECT) {
+      object(into);
+      return 1;
+    }
+    json.beginArray();
+    JsonToken first = json.peek();
+    if (first == JsonToken.NUMBER || first == JsonToken.STRING) {
+      pair(into);
+      json.endArray();
+      into.depth = Math.max(into.depth, 1);
+      return 1;
+    }
+    int depth = 1;
+    boolean isFirst = true;
+    while (json.hasNext()) {
+      int inner = array(into);
+      if (!isFirst && inner != depth - 1) {
+        throw fault("points and lists of points stand side by side" + place() + "; part them");
+      }
+      depth = inner + 1;
+      isFirst = false;
+      if (depth == 3) {
+        into.ring();
+      } else if (depth == 4) {
+        into.polygon();
+      }
+    }
+    json.endArray();
+    into.depth = Math.max(into.depth, depth);
+    return depth;
+  }
+
+  private void pair(Nested into) throws IOException {
+    int line = lines.line();
+    double x = number();
+    if (!json.hasNext()) {
+      throw fault("a point has one number only" + place() + "; " + PAIR);
+    }
+    into.point(x, number(), line);
+    while (json.hasNext()) {
+      number();
+      into.beyond++;
+    }
+  }
+
+  /** A point as an object. */
+  private void object(Nested into) throws IOException {
+    int line = lines.line();
+    double x = Double.NaN;
+    double y = Double.NaN;
+    json.beginObject();
+    while (json.hasNext()) {
+      switch (json.nextName()) {
+        case "x", "X" -> x = number();
+        case "y", "Y" -> y = number();
+        default -> json.skipValue();
+      }
+    }
+    json.endObject();
+    if (Double.isNaN(x) || Double.isNaN(y)) {
+      throw fault("a point lacks x or y" + place() + "; write {\"x\": 1, \"y\": 2}");
+    }
+    into.point(x, y, line);
+    into.depth = Math.max(into.depth, 1);
+  }
+
+  /** Points of columns of x and y. */
+  PointColumns columns(double[] x, double[] y) {
+    if (x.length != y.length) {
+      throw fault("there are " + x.length + " x, but " + y.length + " y; give as many of both");
+    }
+    PointColumns columns = new PointColumns();
+    for (int i = 0; i < x.length; i++) {
+      columns.add(x[i], y[i], lines.line());
+    }
+    return columns;
+  }
+}
