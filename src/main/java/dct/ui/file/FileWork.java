@@ -23,14 +23,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
 /** What the File menu does to the documents. */
 public final class FileWork {
-  private static final Pattern ENDINGS = Pattern.compile("(?<=.)\\.");
 
   private final JFrame window;
   private final Workbench workbench;
@@ -242,7 +240,8 @@ public final class FileWork {
   /** The file that the document has, but one that keeps all of it. */
   private Path suggestion(Editor editor) {
     boolean named = FileNames.domain(Path.of(editor.name())).isPresent();
-    String stem = editor.name().contains(".") ? ENDINGS.split(editor.name())[0] : "untitled";
+    int dot = editor.name().indexOf('.', 1);
+    String stem = dot > 0 ? editor.name().substring(0, dot) : "untitled";
     String name = named ? editor.name() : stem + FileNames.suffix(editor.domain()) + ".txt";
     Path file =
         editor

@@ -13,10 +13,6 @@ enum ForeignText {
   BRACES("\\{.*", "the braces do not hold one vertex each; write two numbers x y in each pair"),
   BRACKETS("\\[.*", "the brackets do not hold one vertex each; write two numbers x y in each pair"),
   QUOTED("[\"'][+-]?[0-9.].*", "the quotation marks do not hold one number each; remove the marks"),
-  HOLE(
-      "(?i)(HOLE|STEINER)\\b.*",
-      "this looks like a file of poly2tri with more than one ring; only one ring can be read, split"
-          + " the file"),
   OFF("(ST|C|N|4|n)*OFF\\b.*", "this looks like OFF; write one vertex a line, as two numbers x y"),
   PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y"),
   OBJ(

@@ -10,17 +10,18 @@ import java.util.stream.IntStream;
  * What the lines of a text tell beside its vertices: how many there are, and groups that could be
  * rings of their own.
  *
- * <p>A line of counts is never taken for a vertex silently. A first line with one whole number,
- * with as many vertices behind it, is understood. Two whole numbers are taken for counts where the
- * first is the number of lines that follow, three or more, and the second 0, 1 or 2 (a flag, or the
- * number of columns), where the same goes on until the last line (rings one after the other), or
- * where as many vertices and edges follow.
+ * <p>A line of counts is never taken for a vertex silently. A line with one whole number, with as
+ * many vertices behind it, is understood. Two whole numbers are counts where the first is the
+ * number of lines that follow, three or more, and the second 0, 1 or 2 (a flag, or the number of
+ * columns), where the same goes on until the last line (rings one after the other), or where as
+ * many vertices and edges follow.
  */
 public final class TextLayout {
   private static final int SMALLEST_RING = 3;
 
   private final String name;
-  private int count = -1; // of a first line with one number
+  private int count = -1; // of the last line with one number
+  private long counted; // where the ring of the last count ends
   private int countLine;
   private boolean startsWhole; // the first vertex is written as two whole numbers
   private boolean startsWithComma; // or semicolon, between them
@@ -40,18 +41,22 @@ public final class TextLayout {
    * @throws BadInputException if it is that of another ring
    */
   boolean isCount(double number, int vertices, int line) {
-    if (count >= 0 && vertices == count) {
-      throw new BadInputException(
-          name,
-          line,
-          "this looks like the count of another ring; only one ring can be read, split the file");
-    }
-    if (vertices > 0 || count >= 0) {
+    boolean isNext = count >= 0 && vertices == counted;
+    if (!isNext && (vertices > 0 || count >= 0)) {
       return false;
     }
     count = (int) Math.min(number, Integer.MAX_VALUE);
+    counted = Math.addExact((long) vertices, count);
     countLine = line;
+    if (isNext) {
+      ring(vertices);
+    }
     return true;
+  }
+
+  /** Whether the first vertex is written as two whole numbers. */
+  boolean startsWhole() {
+    return startsWhole && count < 0;
   }
 
   /** Whether there was a line of counts. */
@@ -75,6 +80,13 @@ public final class TextLayout {
       endGroup(vertices);
       gaps.add(vertices);
     }
+  }
+
+  /** Hears that another ring begins behind this many vertices. */
+  void ring(int vertices) {
+    endGroup(vertices);
+    hasRing = true;
+    gaps.add(vertices);
   }
 
   private void endGroup(int vertices) {
@@ -103,9 +115,13 @@ public final class TextLayout {
    * @throws BadInputException if there is one
    */
   void check(Points points, int[] lines) {
-    if (count >= 0 && count != lines.length) {
+    if (count >= 0 && counted != lines.length) {
       String fault =
-          "this looks like a count of " + count + " vertices, but " + lines.length + " follow";
+          "this looks like a count of "
+              + count
+              + " vertices, but "
+              + (lines.length - (counted - count))
+              + " follow";
       throw new BadInputException(name, countLine, fault + "; correct or remove the line");
     }
     if (count < 0 && startsWhole) {
@@ -118,16 +134,6 @@ public final class TextLayout {
     int y = (int) points.y(0);
     String mending =
         "remove the line, give --skip 1, or write " + x + ".0 " + y + ".0 if it is a vertex";
-    if (isCounts(points)) {
-      String what = "this looks like a line of counts, " + x + " vertices follow it; ";
-      boolean several = points.size() > x + 1;
-      throw new BadInputException(
-          name, line, what + (several ? "only one ring can be read, split the file" : mending));
-    }
-    if (isCountsOfEdges(points)) {
-      String what = "this looks like the counts of " + x + " vertices and " + y + " edges; ";
-      throw new BadInputException(name, line, what + "keep only the lines of the vertices");
-    }
     if (x == 0 && y == 1 && startsWithComma && !moreWhole && points.size() > 1) {
       throw new BadInputException(
           name, line, "this looks like a header that numbers the columns; " + mending);
@@ -140,7 +146,7 @@ public final class TextLayout {
   }
 
   /** Rings one after the other, each behind its count and a number from 0 to 2. */
-  private static boolean isCounts(Points points) {
+  static boolean isCounts(Points points) {
     long i = 0;
     while (i < points.size()) {
       double x = points.x((int) i);
@@ -154,7 +160,7 @@ public final class TextLayout {
   }
 
   /** Vertices, then edges as pairs of their numbers, behind both counts. */
-  private static boolean isCountsOfEdges(Points points) {
+  static boolean isCountsOfEdges(Points points) {
     double x = points.x(0);
     double y = points.y(0);
     if (!isWhole(x, SMALLEST_RING) || !isWhole(y, 1) || x + y != points.size() - 1) {

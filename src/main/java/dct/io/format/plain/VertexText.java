@@ -34,6 +34,7 @@ public final class VertexText {
   private static final Pattern KIND =
       Pattern.compile("#\\s*kind\\s*:\\s*(\\w+)\\s*", Pattern.CASE_INSENSITIVE);
 
+  private static final Pattern PART = Pattern.compile("(?i)hole|steiner");
   private static final Pattern EXCEL = Pattern.compile("sep=.", Pattern.CASE_INSENSITIVE);
 
   private final String name;
@@ -41,6 +42,7 @@ public final class VertexText {
   private final Table table;
   private final List<String> notes = new ArrayList<>();
   private final Columns columns;
+  private final List<Part> parts = new ArrayList<>(); // what follows the words of poly2tri
   private final TextLayout layout;
   private Optional<Domain> kind = Optional.empty();
 
@@ -88,7 +90,35 @@ public final class VertexText {
     if (!isCertain) { // else the program wrote it, or its reader has looked at the first line
       layout.check(read, numbers);
     }
+    if (!isCertain && layout.startsWhole()) {
+      Optional<List<Shape>> counted = CountedText.shapes(read, numbers, notes);
+      if (counted.isPresent()) {
+        return new Shapes(PlainFormat.TITLE, counted.get(), notes);
+      }
+    }
     return new Shapes(PlainFormat.TITLE, shapes(read, numbers), notes);
+  }
+
+  /**
+   * A word of poly2tri.
+   *
+   * @param start the first vertex behind it
+   * @param kind what the vertices behind it are
+   */
+  private record Part(int start, Shape.Kind kind) {}
+
+  private static Shape.Kind kind(String word) {
+    return word.equalsIgnoreCase("hole") ? Shape.Kind.HOLE : Shape.Kind.SITES;
+  }
+
+  /** What the group that starts there is. */
+  private Shape.Kind kindAt(int start, Shape.Kind otherwise) {
+    Shape.Kind first = parts.isEmpty() ? otherwise : Shape.Kind.RING;
+    return parts.stream()
+        .filter(part -> part.start == start)
+        .map(Part::kind)
+        .findFirst()
+        .orElse(first);
   }
 
   private List<Shape> shapes(Points read, int[] numbers) {
@@ -103,7 +133,7 @@ public final class VertexText {
       for (int v = starts[g]; v < end; v++) {
         group.add(read.x(v), read.y(v), numbers[v]);
       }
-      shapes.add(Shape.of(is, "", group));
+      shapes.add(Shape.of(kindAt(starts[g], is), "", group));
     }
     return shapes;
   }
@@ -155,6 +185,12 @@ public final class VertexText {
       return;
     }
     if (table.size() == 0 && isHead(data)) {
+      return;
+    }
+    Matcher poly2tri = PART.matcher(data);
+    if (poly2tri.matches()) {
+      layout.ring(table.size());
+      parts.add(new Part(table.size(), kind(poly2tri.group())));
       return;
     }
     List<List<LooseLine.Written>> rows = LooseLine.rows(data).orElseThrow(fault::exception);
