@@ -49,6 +49,9 @@ public class PainterBenchmark {
     }
   }
 
+  private static final int WIDTH = 1000;
+  private static final int HEIGHT = 700;
+
   /** Where on the screen they are. */
   @State(Scope.Benchmark)
   public static class Zoom {
@@ -56,12 +59,11 @@ public class PainterBenchmark {
     private double zoom;
 
     private final BufferedImage image =
-        new BufferedImage(PictureView.WIDTH, PictureView.HEIGHT, BufferedImage.TYPE_INT_RGB);
+        new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
 
     private Viewport view(Scene scene) {
-      return PictureView.whole(scene, false)
-          .viewport()
-          .zoomed(zoom, PictureView.WIDTH / 2.0, PictureView.HEIGHT / 2.0);
+      return ScenePainter.fitted(scene, WIDTH, HEIGHT, false)
+          .zoomed(zoom, WIDTH / 2.0, HEIGHT / 2.0);
     }
   }
 

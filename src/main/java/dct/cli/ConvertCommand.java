@@ -6,6 +6,7 @@ import dct.io.PointDocument;
 import dct.io.format.Shape;
 import dct.io.text.Shown;
 import dct.problem.Solution;
+import dct.render.Figure;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -19,7 +20,7 @@ final class ConvertCommand extends Verb {
   private final OptionSpec list =
       flag("--list", "List the shapes in the input, as --pick numbers them, instead.");
 
-  private final OptionSpec legend = legend();
+  private final PictureParameters picture = new PictureParameters(this);
 
   ConvertCommand(Console console) {
     super(
@@ -42,11 +43,12 @@ final class ConvertCommand extends Verb {
     if (outputs.isEmpty()) {
       throw new UsageException("-o OUTPUT is missing");
     }
+    Figure figure = picture.figure(false);
     PointDocument document = input.read(Progress.NONE);
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
     try (Interruption interruption = new Interruption()) {
-      write(document, solution, outputs);
+      write(document, solution, outputs, figure);
       return interruption.status();
     }
   }
@@ -58,13 +60,14 @@ final class ConvertCommand extends Verb {
     }
   }
 
-  private void write(PointDocument document, Optional<Solution> solution, List<String> outputs)
+  private void write(
+      PointDocument document, Optional<Solution> solution, List<String> outputs, Figure figure)
       throws IOException {
     for (String file : outputs) {
       if (solution.isEmpty() || holdsPointsAlone(file)) {
-        PointOutput.write(document, file, isSet(legend), console());
+        PointOutput.write(document, file, figure, console());
       } else {
-        SolutionOutput.write(solution.get(), Optional.empty(), file, isSet(legend), console());
+        SolutionOutput.write(solution.get(), Optional.empty(), file, figure, console());
       }
       if (solution.isPresent() && holdsPointsAlone(file)) {
         console()

@@ -9,6 +9,7 @@ import dct.experiment.generate.CannotGenerateException;
 import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.SiteShape;
 import dct.io.PointDocument;
+import dct.render.Figure;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,7 +57,7 @@ final class GenerateCommand extends Verb {
               + "; - is text on standard output, which is the default."
               + " May repeat.");
 
-  private final OptionSpec legend = legend();
+  private final PictureParameters picture = new PictureParameters(this);
 
   private final OptionSpec json =
       flag("--json", "Print what was made as one JSON object; needs an -o that is a file.");
@@ -96,6 +97,7 @@ final class GenerateCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
+    Figure figure = picture.figure(false);
     if (isSet(json) && (outputs.isEmpty() || outputs.contains(STANDARD_STREAM))) {
       throw new UsageException("--json and the points both want standard output, use -o FILE");
     }
@@ -103,7 +105,7 @@ final class GenerateCommand extends Verb {
       PointDocument document = document(progress(interruption, true));
       checkNames(outputs, document.declared().orElseThrow());
       for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
-        PointOutput.write(document, file, isSet(legend), console());
+        PointOutput.write(document, file, figure, console());
       }
       if (isSet(json)) {
         console().print(json(document, outputs).toString());

@@ -6,6 +6,7 @@ import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
 import dct.io.format.Drawing;
+import dct.render.Figure;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -18,10 +19,10 @@ final class PointOutput {
   /**
    * Writes one output; {@code -} is text on standard output.
    *
-   * @param legend whether a picture has one
+   * @param figure how a picture looks
    * @throws UsageException if the ending of the name is no format
    */
-  static void write(PointDocument document, String output, boolean legend, Console console)
+  static void write(PointDocument document, String output, Figure figure, Console console)
       throws IOException {
     if (output.equals("-")) {
       PointFile.write(console.out(), document);
@@ -35,7 +36,7 @@ final class PointOutput {
       default -> {
         Drawing drawing = Drawing.of(name(document), document.domain(), document.points());
         if (!SolutionOutput.writeData(file, drawing, console)) {
-          SolutionOutput.write(scene(document), file, legend);
+          SolutionOutput.write(scene(document), figure, name(document), file, console);
         }
       }
     }
@@ -43,8 +44,7 @@ final class PointOutput {
 
   /** The name of the document's file, without folder and ending. */
   private static String name(PointDocument document) {
-    Path file = Path.of(document.source()).getFileName();
-    return file == null ? "" : file.toString().replaceFirst("\\.[A-Za-z]{1,5}$", "");
+    return SolutionOutput.title(document.source());
   }
 
   private static Scene scene(PointDocument document) {

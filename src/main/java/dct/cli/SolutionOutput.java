@@ -9,8 +9,8 @@ import dct.io.format.Drawing;
 import dct.io.text.Shown;
 import dct.problem.Instance;
 import dct.problem.Solution;
+import dct.render.Figure;
 import dct.render.PictureFile;
-import dct.render.PictureView;
 import dct.render.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -24,14 +24,14 @@ final class SolutionOutput {
   /**
    * Writes one output; {@code -} is the whole result on standard output.
    *
-   * @param legend whether a picture has one
+   * @param figure how a picture looks
    * @throws UsageException if the ending of the name is no format
    */
   static void write(
       Solution solution,
       Optional<ResultJson.Millis> millis,
       String output,
-      boolean legend,
+      Figure figure,
       Console console)
       throws IOException {
     if (output.equals(Verb.STANDARD_STREAM)) {
@@ -46,7 +46,7 @@ final class SolutionOutput {
       case JSON -> ResultJson.write(file, solution, millis, Progress.NONE);
       default -> {
         if (!writeData(file, Drawing.of(solution), console)) {
-          write(Scene.of(solution), file, legend);
+          write(Scene.of(solution), figure, title(instance.name()), file, console);
         }
       }
     }
@@ -65,8 +65,18 @@ final class SolutionOutput {
     return true;
   }
 
-  /** Writes a picture of the whole scene. */
-  static void write(Scene scene, Path file, boolean legend) throws IOException {
-    PictureFile.write(scene, PictureView.whole(scene, legend), 1, file, Progress.NONE);
+  /** The name of an input, without folder and ending; empty for standard input. */
+  static String title(String source) {
+    Path file = source.equals(Verb.STANDARD_STREAM) ? null : Path.of(source).getFileName();
+    return file == null ? "" : file.toString().replaceFirst("\\.[A-Za-z]{1,5}$", "");
+  }
+
+  /** Writes a picture of the whole scene, with a warning if its reader will have trouble. */
+  static void write(Scene scene, Figure figure, String title, Path file, Console console)
+      throws IOException {
+    PictureFile.warning(scene, file)
+        .ifPresent(
+            warning -> console.err().println(Shown.harmless(file.toString()) + ": " + warning));
+    PictureFile.write(scene, figure, title, file, Progress.NONE);
   }
 }

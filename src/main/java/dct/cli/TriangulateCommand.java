@@ -9,6 +9,7 @@ import dct.io.ResultJson;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
+import dct.render.Figure;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
@@ -34,7 +35,7 @@ final class TriangulateCommand extends Verb {
               + FileEnding.list(Content.PICTURE)
               + " a picture; - is the"
               + " whole result as JSON on standard output. May repeat.");
-  private final OptionSpec legend = legend();
+  private final PictureParameters picture = new PictureParameters(this);
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");
 
@@ -51,6 +52,7 @@ final class TriangulateCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
+    Figure figure = picture.figure(false);
     boolean printsResult = outputs.contains(STANDARD_STREAM);
     if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
@@ -61,7 +63,7 @@ final class TriangulateCommand extends Verb {
     checkNames(outputs, instance.domain());
     try (Interruption interruption = new Interruption()) {
       Made made = make(instance, watch, progress(interruption, !isSet(quiet)));
-      write(made, outputs);
+      write(made, outputs, figure);
       if (interruption.isAsked()
           && made.solution.optimum().stream().anyMatch(Optimum::interrupted)) {
         console().err().println("dct triangulate: stopped; the result is the best found so far");
@@ -70,9 +72,9 @@ final class TriangulateCommand extends Verb {
     }
   }
 
-  private void write(Made made, List<String> outputs) throws IOException {
+  private void write(Made made, List<String> outputs, Figure figure) throws IOException {
     for (String file : outputs) {
-      SolutionOutput.write(made.solution, made.millis, file, isSet(legend), console());
+      SolutionOutput.write(made.solution, made.millis, file, figure, console());
     }
     if (isSet(json)) {
       console().print(ResultJson.summary(made.solution, made.millis));

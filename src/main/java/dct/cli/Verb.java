@@ -136,11 +136,6 @@ abstract class Verb implements Callable<Integer> {
     return parameters;
   }
 
-  /** Declares the option that asks for a legend. */
-  final OptionSpec legend() {
-    return flag("--legend", "Say in pictures what the colours and shapes stand for.");
-  }
-
   /** Declares an option without a value. */
   final OptionSpec flag(String name, String description) {
     OptionSpec option =

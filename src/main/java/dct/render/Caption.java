@@ -69,6 +69,11 @@ public final class Caption {
 
   private static void paint(Pen pen, Box box, Anchor anchor, List<String> lines) {
     ground(pen, box);
+    write(pen, box, anchor, lines);
+  }
+
+  /** Writes the lines below each other, without a ground. */
+  static void write(Pen pen, Box box, Anchor anchor, List<String> lines) {
     pen.style(Stroke.fill(Ink.LABEL));
     double x = anchor == Anchor.START ? box.minX() + PADDING : box.maxX() - PADDING;
     double baseline = box.minY() + PADDING + SIZE - 1;

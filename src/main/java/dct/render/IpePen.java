@@ -4,86 +4,117 @@ import dct.core.Decimals;
 import java.util.Locale;
 
 /**
- * Writes a drawing for the drawing editor Ipe (version 7), a group for each run of shapes of one
- * colour. The page is as large as the drawing, in points; y runs upwards there.
+ * Writes a drawing for the drawing editor Ipe (version 7.2): a layer for each part of it, vertices
+ * as marks, colours by the names of what they stand for in a style of its own. The page is as large
+ * as the sheet; y runs upwards there.
  */
-public final class IpePen implements Pen {
-  private final StringBuilder out = new StringBuilder();
-  private final int height;
-  private final Theme theme;
-  private Stroke stroke;
+final class IpePen implements Pen {
+  private static final double MARK = 0.6; // half the side of a mark of size 1, as Ipe's own
 
-  /** A drawing of this size, in pixels; one is a point of the page. */
-  public IpePen(int width, int height, Theme theme) {
-    this.height = height;
-    this.theme = theme;
+  private final StringBuilder out = new StringBuilder();
+  private final double unit;
+  private final double height;
+  private Part part = Part.POLYGON;
+  private Stroke stroke = Stroke.fill(Ink.BACKGROUND);
+
+  /** A drawing for a sheet. */
+  IpePen(Sheet sheet, Title title) {
+    unit = sheet.points();
+    height = sheet.height();
     out.append("<?xml version=\"1.0\"?>\n");
     out.append("<ipe version=\"70206\" creator=\"Degree Constrained Triangulation\">\n");
-    out.append(
+    out.append("<info title=\"").append(attribute(title.title()));
+    out.append("\" subject=\"").append(attribute(title.description())).append("\"/>\n");
+    style(sheet);
+    out.append("<page>\n");
+    StringBuilder layers = new StringBuilder();
+    for (Part each : Part.values()) {
+      out.append("<layer name=\"").append(each.word()).append("\"/>\n");
+      layers.append(layers.length() == 0 ? "" : " ").append(each.word());
+    }
+    out.append("<view layers=\"").append(layers).append("\" active=\"polygon\"/>\n");
+    if (sheet.theme() == Theme.DARK) {
+      rectangle(0, 0, sheet.width(), sheet.height());
+    }
+  }
+
+  private void style(Sheet sheet) {
+    String size = Decimals.rounded(sheet.pointsWide()) + " " + Decimals.rounded(sheet.pointsHigh());
+    out.append("<ipestyle name=\"dct\">\n");
+    mark("disk", MARK + " 0 0 " + MARK + " 0 0 e\n");
+    String half = Double.toString(MARK);
+    mark(
+        "square",
         String.format(
-            Locale.ROOT,
-            "<ipestyle name=\"page\">\n<layout paper=\"%1$d %2$d\" origin=\"0 0\"",
-            width,
-            height));
-    out.append(
-        String.format(Locale.ROOT, " frame=\"%d %d\"/>\n</ipestyle>\n<page>\n", width, height));
-    out.append("<layer name=\"alpha\"/>\n<view layers=\"alpha\" active=\"alpha\"/>\n");
+            Locale.ROOT, "-%1$s -%1$s m\n%1$s -%1$s l\n%1$s %1$s l\n-%1$s %1$s l\nh\n", half));
+    for (Ink ink : Ink.values()) {
+      out.append("<color name=\"").append(name(ink)).append("\" value=\"");
+      out.append(value(ink.rgb(sheet.theme()))).append("\"/>\n");
+    }
+    out.append("<layout paper=\"").append(size).append("\" origin=\"0 0\" frame=\"");
+    out.append(size).append("\" crop=\"no\"/>\n</ipestyle>\n");
+  }
+
+  private void mark(String name, String path) {
+    out.append("<symbol name=\"mark/").append(name);
+    out.append("(sx)\" transformations=\"translations\">\n<path fill=\"sym-stroke\">\n");
+    out.append(path).append("</path>\n</symbol>\n");
   }
 
   /** The whole document; nothing can be drawn after. */
-  public String finish() {
-    closeGroup();
+  String finish() {
     return out.append("</page>\n</ipe>\n").toString();
   }
 
   @Override
-  public void style(Stroke following) {
-    closeGroup();
-    stroke = following;
-    out.append("<group>\n");
+  public void part(Part following) {
+    part = following;
   }
 
-  private void closeGroup() {
-    if (stroke != null) {
-      out.append("</group>\n");
-      stroke = null;
-    }
+  @Override
+  public void style(Stroke following) {
+    stroke = following;
   }
 
   @Override
   public void line(double x1, double y1, double x2, double y2) {
     stroked();
-    out.append(point(x1, y1)).append(" m ").append(point(x2, y2)).append(" l\n</path>\n");
+    out.append(point(x1, y1)).append(" m\n").append(point(x2, y2)).append(" l\n</path>\n");
   }
 
   @Override
   public void disc(double x, double y, double radius) {
-    filled();
-    circle(x, y, radius);
+    use("disk", x, y, radius);
+  }
+
+  @Override
+  public void square(double x, double y, double halfSide) {
+    use("square", x, y, halfSide);
+  }
+
+  private void use(String mark, double x, double y, double radius) {
+    out.append("<use").append(layer()).append(" name=\"mark/").append(mark);
+    out.append("(sx)\" pos=\"").append(point(x, y)).append("\" size=\"");
+    out.append(Decimals.rounded(unit * radius / MARK)).append("\" stroke=\"");
+    out.append(name(stroke.ink())).append("\"/>\n");
   }
 
   @Override
   public void ring(double x, double y, double radius) {
+    String r = Decimals.rounded(unit * radius);
     stroked();
-    circle(x, y, radius);
-  }
-
-  private void circle(double x, double y, double radius) {
-    String r = Decimals.rounded(radius);
     out.append(r).append(" 0 0 ").append(r).append(' ').append(point(x, y)).append(" e\n</path>\n");
   }
 
   @Override
-  public void rectangle(double x, double y, double width, double height) {
-    filled();
-    out.append(point(x, y)).append(" m ").append(point(x + width, y)).append(" l ");
-    out.append(point(x + width, y + height)).append(" l ");
-    out.append(point(x, y + height)).append(" l h\n</path>\n");
+  public void rectangle(double x, double y, double width, double wide) {
+    polygon(new double[] {x, x + width, x + width, x}, new double[] {y, y, y + wide, y + wide});
   }
 
   @Override
   public void polygon(double[] x, double[] y) {
-    out.append("<path fill=\"").append(colour()).append("\" fillrule=\"eofill\">\n");
+    out.append("<path").append(layer()).append(" fill=\"").append(name(stroke.ink()));
+    out.append("\" fillrule=\"eofill\">\n");
     for (int i = 0; i < x.length; i++) {
       out.append(point(x[i], y[i])).append(i == 0 ? " m\n" : " l\n");
     }
@@ -98,30 +129,41 @@ public final class IpePen implements Pen {
           case MIDDLE -> "center";
           case END -> "right";
         };
-    out.append("<text type=\"label\" valign=\"baseline\" halign=\"").append(side);
-    out.append("\" pos=\"").append(point(x, y)).append("\" size=\"").append(Decimals.rounded(size));
-    out.append("\" stroke=\"").append(colour()).append("\">");
-    out.append(TexText.of(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"));
-    out.append("</text>\n");
+    out.append("<text").append(layer()).append(" type=\"label\" valign=\"baseline\" halign=\"");
+    out.append(side).append("\" pos=\"").append(point(x, y)).append("\" size=\"");
+    out.append(Math.round(unit * size)).append("\" stroke=\"").append(name(stroke.ink()));
+    out.append("\">").append(escaped(TexText.of(text))).append("</text>\n");
   }
 
   private void stroked() {
-    out.append("<path stroke=\"").append(colour()).append("\" pen=\"");
-    out.append(Decimals.rounded(stroke.width()));
-    out.append(stroke.dashed() ? "\" dash=\"[5 5] 0\">\n" : "\">\n");
+    out.append("<path").append(layer()).append(" stroke=\"").append(name(stroke.ink()));
+    out.append("\" pen=\"").append(Decimals.rounded(unit * stroke.width()));
+    String dash = Decimals.rounded(unit * 5);
+    out.append(stroke.dashed() ? "\" dash=\"[" + dash + " " + dash + "] 0\">\n" : "\">\n");
   }
 
-  private void filled() {
-    out.append("<path fill=\"").append(colour()).append("\">\n");
+  private String layer() {
+    return " layer=\"" + part.word() + "\"";
   }
 
   private String point(double x, double y) {
-    return Decimals.rounded(x) + " " + Decimals.rounded(height - y);
+    return Decimals.rounded(unit * x) + " " + Decimals.rounded(unit * (height - y));
   }
 
-  /** The three parts of the colour, from 0 to 1. */
-  private String colour() {
-    int rgb = stroke.ink().rgb(theme);
+  private static String name(Ink ink) {
+    return ink.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  private static String attribute(String text) {
+    return escaped(text).replace("\"", "&quot;").replaceAll("\\R", " ");
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+
+  /** The three parts of a colour, from 0 to 1. */
+  private static String value(int rgb) {
     return String.format(
         Locale.ROOT,
         "%.3f %.3f %.3f",

@@ -42,17 +42,20 @@ final class LabelPainter {
   private final Viewport view;
   private final Box screen;
   private final Box near;
+  private final Gauge gauge;
   private final double dot;
   private final BitSet ringed; // the vertices with a ring round them
   private final Outwards outwards;
   private final Cells taken; // by vertices and labels
   private final Cells edges;
+  private Box frame; // that labels have to be in; null for none
 
-  LabelPainter(Scene scene, Viewport view, Box screen, double dot) {
+  private LabelPainter(Scene scene, Viewport view, Box screen, Gauge gauge, double dot) {
     this.scene = scene;
     this.view = view;
     this.screen = screen;
     this.near = screen.grown(BEYOND);
+    this.gauge = gauge;
     this.dot = dot;
     this.ringed = new BitSet();
     for (int v : scene.unmet()) {
@@ -63,11 +66,32 @@ final class LabelPainter {
     this.edges = new Cells(near, view);
   }
 
-  void paint(Pen pen) {
+  /** Writes the labels in sight of a screen that can be panned, beside dots of this radius. */
+  static void paint(Scene scene, Viewport view, Box screen, double dot, Pen pen) {
+    new LabelPainter(scene, view, screen, Gauge.SCREEN, dot).paint(pen);
+  }
+
+  /**
+   * Writes the labels of a picture that ends at its borders: all of each is inside.
+   *
+   * @param taken where no label may be
+   */
+  static void paint(
+      Scene scene, Viewport view, Box picture, Gauge gauge, double dot, List<Box> taken, Pen pen) {
+    LabelPainter painter = new LabelPainter(scene, view, picture, gauge, dot);
+    painter.frame = picture;
+    for (Box box : taken) {
+      painter.taken.take(box.minX(), box.minY(), box.maxX(), box.maxY());
+    }
+    painter.paint(pen);
+  }
+
+  private void paint(Pen pen) {
     takeVertices();
-    if (!Dots.areCrowded(dot)) {
+    if (!Dots.areCrowded(dot / gauge.dots())) {
       takeEdges();
     }
+    pen.part(Part.LABELS);
     pen.style(Stroke.fill(Ink.LABEL));
     for (int v = 0; v < scene.size(); v++) {
       double x = view.screenX(scene.x(v));
@@ -80,7 +104,7 @@ final class LabelPainter {
   }
 
   private double radius(int v) {
-    return ringed.get(v) ? Dots.ringRadius(dot) : dot;
+    return ringed.get(v) ? gauge.ringRadius(dot) : dot;
   }
 
   private void takeVertices() {
@@ -212,7 +236,11 @@ final class LabelPainter {
     }
 
     boolean isFree() {
-      return taken.isFree(left(), upper(), right(), lower());
+      return isInside() && taken.isFree(left(), upper(), right(), lower());
+    }
+
+    private boolean isInside() {
+      return frame == null || (frame.holds(left(), upper()) && frame.holds(right(), lower()));
     }
 
     void take() {

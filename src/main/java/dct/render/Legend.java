@@ -29,7 +29,15 @@ final class Legend {
 
   private final List<Entry> entries = new ArrayList<>();
 
+  private final Gauge gauge;
+
   Legend(Scene scene) {
+    this(scene, Gauge.SCREEN);
+  }
+
+  /** A legend whose samples are drawn as the scene is with this gauge. */
+  Legend(Scene scene, Gauge gauge) {
+    this.gauge = gauge;
     addVertices(scene);
     List<Stroke> strokes = new ArrayList<>(scene.strokes());
     Collections.reverse(strokes);
@@ -80,23 +88,57 @@ final class Legend {
   void paint(Pen pen, Box screen, Corner corner) {
     Box box = corner.box(Caption.room(screen), width(), height());
     Caption.ground(pen, box);
-    double x = box.minX() + PADDING;
+    write(pen, box, false);
+  }
+
+  /** The height of the rows that the entries fill side by side. */
+  double stripHeight(double width) {
+    return LEADING * rows(width).size() + PADDING;
+  }
+
+  /** Draws it without a ground, the entries below each other or side by side. */
+  void write(Pen pen, Box box, boolean isStrip) {
+    List<List<Entry>> rows =
+        isStrip ? rows(2 * box.halfWidth()) : entries.stream().map(List::of).toList();
     double y = box.minY() + PADDING / 2 + LEADING / 2;
-    for (Entry entry : entries) {
-      pen.style(entry.stroke);
-      paint(pen, entry.shape, x, y);
-      pen.style(Stroke.fill(Ink.LABEL));
-      pen.text(x + SAMPLE + GAP, y + 0.36 * SIZE, Anchor.START, SIZE, entry.word);
+    for (List<Entry> row : rows) {
+      double x = box.minX() + PADDING;
+      for (Entry entry : row) {
+        pen.style(gauge.of(entry.stroke));
+        paint(pen, entry.shape, x, y);
+        pen.style(Stroke.fill(Ink.LABEL));
+        pen.text(x + SAMPLE + GAP, y + 0.36 * SIZE, Anchor.START, SIZE, entry.word);
+        x += advance(entry);
+      }
       y += LEADING;
     }
   }
 
-  private static void paint(Pen pen, Shape shape, double x, double y) {
+  private static double advance(Entry entry) {
+    return SAMPLE + GAP + ADVANCE * entry.word.length() + GAP;
+  }
+
+  private List<List<Entry>> rows(double width) {
+    List<List<Entry>> rows = new ArrayList<>();
+    double left = 0;
+    for (Entry entry : entries) {
+      if (rows.isEmpty() || advance(entry) > left) {
+        rows.add(new ArrayList<>());
+        left = width - 2 * PADDING + GAP;
+      }
+      rows.get(rows.size() - 1).add(entry);
+      left -= advance(entry);
+    }
+    return rows;
+  }
+
+  private void paint(Pen pen, Shape shape, double x, double y) {
     double middle = x + SAMPLE / 2;
+    double dot = DOT * gauge.dots();
     switch (shape) {
-      case DISC -> pen.disc(middle, y, DOT);
-      case SQUARE -> pen.square(middle, y, Dots.SQUARE * DOT);
-      case RING -> pen.ring(middle, y, DOT + 1);
+      case DISC -> pen.disc(middle, y, dot);
+      case SQUARE -> pen.square(middle, y, Dots.SQUARE * dot);
+      case RING -> pen.ring(middle, y, dot + 1);
       case LINE -> pen.line(x, y, x + SAMPLE, y);
     }
   }

@@ -16,6 +16,9 @@ public interface Pen {
     END
   }
 
+  /** The part of the picture that everything drawn until the next call belongs to. */
+  default void part(Part part) {}
+
   /** The colour and line of everything drawn until the next call. */
   void style(Stroke stroke);
 

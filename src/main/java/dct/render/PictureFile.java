@@ -11,50 +11,94 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
 
-/** Writes scenes as pictures: light on white, the whole scene with a margin round it. */
+/** Writes scenes as pictures: as figures, or as a window shows them. */
 public final class PictureFile {
-  private static final Theme THEME = Theme.LIGHT;
+  private static final int MOST_FOR_TEX = 3_000; // edges that TeX draws in some seconds
 
   private PictureFile() {}
 
   /**
-   * Writes a picture of the whole scene without a legend, y downwards.
+   * Writes a figure in the format of the file's ending. The file is written whole or not at all.
    *
-   * @see #write(Scene, PictureView, int, Path, Progress)
-   */
-  public static void write(Scene scene, Path file, Progress progress) throws CannotWriteException {
-    write(scene, PictureView.whole(scene, false), 1, file, progress);
-  }
-
-  /**
-   * Writes a picture in the format of the file's ending. The file is written whole or not at all.
-   *
-   * @param view what it shows
-   * @param scale pixels of a PNG for each pixel of the screen; other pictures have no pixels
+   * @param name what the picture shows, for its title; may be empty
    * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
    * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
+  public static void write(Scene scene, Figure figure, String name, Path file, Progress progress)
+      throws CannotWriteException {
+    FileEnding ending = FileEnding.require(file, Content.PICTURE);
+    Picture picture = Picture.of(scene, figure, name, progress);
+    AtomicFile.write(file, progress, out -> picture.write(ending, out));
+  }
+
+  /**
+   * Writes what a window shows, light on white.
+   *
+   * @param view what it shows
+   * @param scale pixels of a PNG for each pixel of the screen; other pictures have no pixels
+   * @see #write(Scene, Figure, String, Path, Progress)
+   */
   public static void write(Scene scene, PictureView view, int scale, Path file, Progress progress)
       throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    Picture picture = new Picture(scene, view, scale, progress);
+    Picture picture =
+        new Picture(
+            Sheet.of(scene, view, scale), Optional.of(view), false, Title.of("", scene), progress);
     AtomicFile.write(file, progress, out -> picture.write(ending, out));
+  }
+
+  /**
+   * A figure as an image of about this width, for a look at it before it is written.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static BufferedImage preview(Scene scene, Figure figure, int width, Progress progress) {
+    Picture picture = Picture.of(scene, figure, "", progress);
+    return picture.image(width / picture.sheet.width());
+  }
+
+  /** What should be said before a scene is written to this file, if anything. */
+  public static Optional<String> warning(Scene scene, Path file) {
+    boolean isSlow = FileEnding.TEX.isOf(file.toString()) && scene.edgeCount() > MOST_FOR_TEX;
+    return isSlow
+        ? Optional.of(
+            String.format(
+                Locale.ROOT,
+                "TeX needs long for %d edges, above %d it may run out of memory; a .pdf of the same"
+                    + " picture is included at once",
+                scene.edgeCount(),
+                MOST_FOR_TEX))
+        : Optional.empty();
   }
 
   /**
    * What is to be seen in a picture, and who is asked whether to go on drawing it.
    *
-   * @param scale pixels of an image for each of a screen
+   * @param shown what a window shows, with its notes; nothing for a figure
+   * @param isStandalone whether TikZ is a document of its own
    */
-  record Picture(Scene scene, PictureView view, int scale, Progress progress) {
+  record Picture(
+      Sheet sheet,
+      Optional<PictureView> shown,
+      boolean isStandalone,
+      Title title,
+      Progress progress) {
+
+    static Picture of(Scene scene, Figure figure, String name, Progress progress) {
+      Sheet sheet = SheetLayout.of(scene, figure);
+      Title title = Title.of(name, scene);
+      return new Picture(sheet, Optional.empty(), figure.isStandalone(), title, progress);
+    }
 
     void write(FileEnding ending, OutputStream out) throws IOException {
       switch (ending) {
-        case PNG -> PngEncoder.write(image(), out);
+        case PNG -> PngEncoder.write(image(sheet.pixels()), out);
         case SVG -> write(svg(), out);
-        case PDF -> PdfPage.write(view.width(), view.height(), this::draw, out);
+        case PDF -> pdf(out);
         case IPE -> write(ipe(), out);
         case TEX -> write(tex(), out);
         default -> throw new IllegalArgumentException(ending + " is no picture");
@@ -66,48 +110,58 @@ public final class PictureFile {
     }
 
     private void paint(Pen pen) {
-      ScenePainter.paint(scene, view.viewport(), view.screen(), new ProgressPen(pen, progress));
-      view.notes().paint(scene, view.screen(), pen, "");
+      sheet.paint(new ProgressPen(pen, progress));
+      notes(pen);
     }
 
-    private void draw(Graphics2D graphics) {
-      GraphicsPen pen = new GraphicsPen(graphics, THEME);
-      pen.ground(view.width(), view.height());
-      paint(pen);
+    private void notes(Pen pen) {
+      shown.ifPresent(view -> view.notes().paint(sheet.scene(), view.screen(), pen, ""));
     }
 
-    /** An image, smoothed. */
-    BufferedImage image() {
+    /** An image, smoothed, with so many pixels for each unit of the sheet. */
+    BufferedImage image(double pixels) {
       BufferedImage image =
           new BufferedImage(
-              scale * view.width(), scale * view.height(), BufferedImage.TYPE_INT_RGB);
-      SceneRaster.draw(scene, view.viewport(), THEME, scale, image, progress);
+              (int) Math.max(1, Math.round(pixels * sheet.width())),
+              (int) Math.max(1, Math.round(pixels * sheet.height())),
+              BufferedImage.TYPE_INT_RGB);
+      SceneRaster.drawShapes(
+          sheet.scene(), sheet.view(), sheet.theme(), sheet.gauge(), pixels, image, progress);
       Graphics2D graphics = image.createGraphics();
-      graphics.scale(scale, scale);
-      view.notes().paint(scene, view.screen(), new GraphicsPen(graphics, THEME), "");
+      graphics.scale(pixels, pixels);
+      GraphicsPen pen = new GraphicsPen(graphics, sheet.theme());
+      sheet.paintWords(new ProgressPen(pen, progress));
+      notes(pen);
       graphics.dispose();
       return image;
     }
 
+    private void pdf(OutputStream out) throws IOException {
+      try (PdfPen pen = new PdfPen(sheet, title)) {
+        paint(pen);
+        pen.finish(out);
+      }
+    }
+
     /** An SVG document. */
     String svg() {
-      SvgPen pen = new SvgPen(view.width(), view.height(), THEME);
+      SvgPen pen = new SvgPen(sheet, title);
       paint(pen);
       return pen.finish();
     }
 
     /** A document of Ipe. */
     String ipe() {
-      IpePen pen = new IpePen(view.width(), view.height(), THEME);
+      IpePen pen = new IpePen(sheet, title);
       paint(pen);
       return pen.finish();
     }
 
-    /** A LaTeX document. */
+    /** TikZ: a part of a LaTeX document, or one of its own. */
     String tex() {
-      TikzPen pen = new TikzPen(view.width(), view.height(), THEME);
+      TikzPen pen = new TikzPen(sheet, title);
       paint(pen);
-      return pen.finish();
+      return isStandalone ? pen.document() : pen.fragment();
     }
   }
 }

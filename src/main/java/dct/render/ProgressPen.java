@@ -20,6 +20,11 @@ final class ProgressPen implements Pen {
   }
 
   @Override
+  public void part(Part part) {
+    next().part(part);
+  }
+
+  @Override
   public void style(Stroke stroke) {
     next().style(stroke);
   }

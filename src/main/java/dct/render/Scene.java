@@ -1,5 +1,6 @@
 package dct.render;
 
+import dct.core.Decimals;
 import dct.core.dcel.Dcel;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.FlipResult;
@@ -15,6 +16,9 @@ import dct.core.triangulate.MovedSite;
 import dct.core.triangulate.Partition;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -39,6 +43,7 @@ public final class Scene {
               EdgeKind.PARTITION, Stroke.solid(Ink.PARTITION, 1.8),
               EdgeKind.FLIPPED, Stroke.solid(Ink.FLIPPED, 2),
               EdgeKind.BOUNDARY, Stroke.solid(Ink.BOUNDARY, 1.6)));
+  private static final int DIGITS = 6; // of a coordinate beside its vertex
   private static final int FEW = 3_000; // vertices are sorted within a frame of the screen
 
   private static final Stroke OUTLINE = Stroke.solid(Ink.BOUNDARY, 1.6);
@@ -483,10 +488,19 @@ public final class Scene {
     if (labels.degrees() && degrees != null) {
       words.add(Integer.toString(degree(v)));
     }
+    if (labels.coordinates()) {
+      words.add("(" + legible(x(v)) + ", " + legible(y(v)) + ")");
+    }
     if (wishes != null && wishes.wish(v) != Wish.EVEN) {
       words.add(wishes.wish(v).name().toLowerCase(Locale.ROOT));
     }
     return String.join(" · ", words);
+  }
+
+  /** A coordinate of at most so many digits as are read at a glance. */
+  private static String legible(double value) {
+    return Decimals.format(
+        new BigDecimal(value).round(new MathContext(DIGITS, RoundingMode.HALF_EVEN)).doubleValue());
   }
 
   private static String words(DegreeCount count) {

@@ -31,15 +31,17 @@ public final class ScenePainter {
   private final Pen pen;
   private final double dot;
   private final ScenePatch patch;
+  private final Gauge gauge;
   private Ink style; // that the pen has been given last, for vertices; null before the first
 
-  private ScenePainter(Scene scene, Viewport view, Box screen, Pen pen) {
+  private ScenePainter(Scene scene, Viewport view, Box screen, Gauge gauge, Pen pen) {
     this.scene = scene;
     this.index = scene.index();
     this.view = view;
     this.clip = screen.grown(REACH);
     this.pen = pen;
-    this.dot = dotRadius(scene, view);
+    this.gauge = gauge;
+    this.dot = dotRadius(scene, view, gauge);
     this.patch = scene.patch();
   }
 
@@ -58,7 +60,12 @@ public final class ScenePainter {
    * are drawn one by one make the same picture as the whole.
    */
   static void paintShapes(Scene scene, Viewport view, Box part, Pen pen) {
-    ScenePainter painter = new ScenePainter(scene, view, part, pen);
+    paintShapes(scene, view, part, Gauge.SCREEN, pen);
+  }
+
+  /** The same with lines and dots as this gauge has them. */
+  static void paintShapes(Scene scene, Viewport view, Box part, Gauge gauge, Pen pen) {
+    ScenePainter painter = new ScenePainter(scene, view, part, gauge, pen);
     painter.inside();
     painter.edges();
     painter.vertices();
@@ -85,7 +92,7 @@ public final class ScenePainter {
    * seen of the move before the picture is drawn anew.
    */
   public static void paintMoved(Scene scene, Viewport view, Box screen, Pen pen) {
-    ScenePainter painter = new ScenePainter(scene, view, screen, pen);
+    ScenePainter painter = new ScenePainter(scene, view, screen, Gauge.SCREEN, pen);
     for (int layer = 0; layer < painter.index.layers().size(); layer++) {
       painter.added(layer);
     }
@@ -95,7 +102,7 @@ public final class ScenePainter {
   /** Writes what there is to write beside the vertices. */
   static void paintLabels(Scene scene, Viewport view, Box screen, Pen pen) {
     if (scene.hasLabels()) {
-      new LabelPainter(scene, view, screen, dotRadius(scene, view)).paint(pen);
+      LabelPainter.paint(scene, view, screen, dotRadius(scene, view), pen);
     }
   }
 
@@ -121,6 +128,12 @@ public final class ScenePainter {
 
   /** The radius of the dots at the vertices, in pixels: smaller where they crowd. */
   public static double dotRadius(Scene scene, Viewport view) {
+    return dotRadius(scene, view, Gauge.SCREEN);
+  }
+
+  /** The same in units of a drawing with this gauge. */
+  static double dotRadius(Scene scene, Viewport view, Gauge gauge) {
+    double largest = LARGEST_DOT * gauge.dots();
     return scene
         .bounds()
         .map(
@@ -130,15 +143,16 @@ public final class ScenePainter {
               // Outlines and vertices on a line fill no area; their length counts as well.
               double length = 2 * Math.max(box.halfWidth(), box.halfHeight()) * view.scale();
               double room = Math.max(spacing, length / scene.size());
-              return Math.max(SMALLEST_DOT, Math.min(LARGEST_DOT, room / 5));
+              return Math.max(SMALLEST_DOT * gauge.dots(), Math.min(largest, room / 5));
             })
-        .orElse(LARGEST_DOT);
+        .orElse(largest);
   }
 
   private void inside() {
     if (scene.isPolygon()) {
       Corners corners = Corners.of(scene.points(), view, clip);
       if (!corners.isEmpty()) {
+        pen.part(Part.POLYGON);
         pen.style(Stroke.fill(Ink.INSIDE));
         pen.polygon(corners.xs(), corners.ys());
       }
@@ -157,8 +171,9 @@ public final class ScenePainter {
   }
 
   private void style(Stroke stroke) {
-    double thinner = Math.min(1, Math.max(0.4, dot / 2));
-    pen.style(new Stroke(stroke.ink(), stroke.width() * thinner, stroke.dashed()));
+    double thinner = Math.min(1, Math.max(0.4, dot / gauge.dots() / 2));
+    pen.part(Part.ofEdges(stroke.ink()));
+    pen.style(gauge.of(new Stroke(stroke.ink(), stroke.width() * thinner, stroke.dashed())));
   }
 
   /** Draws the edges of a layer that are not in the index. */
@@ -209,9 +224,10 @@ public final class ScenePainter {
    * cover each other that would hide most even ones, so there they come as they lie.
    */
   private void vertices() {
+    pen.part(Part.VERTICES);
     if (!scene.hasDegrees()) {
       vertices(EnumSet.of(Ink.VERTEX));
-    } else if (dot == SMALLEST_DOT) {
+    } else if (dot == SMALLEST_DOT * gauge.dots()) {
       vertices(EnumSet.of(Ink.EVEN, Ink.ODD));
     } else {
       vertices(EnumSet.of(Ink.EVEN));
@@ -269,18 +285,18 @@ public final class ScenePainter {
 
   private void unmet() {
     if (scene.unmet().length > 0) {
-      pen.style(Stroke.solid(Ink.UNMET, UNMET_WIDTH));
+      pen.style(gauge.of(Stroke.solid(Ink.UNMET, UNMET_WIDTH)));
     }
     for (int v : scene.unmet()) {
-      ring(view.screenX(scene.x(v)), view.screenY(scene.y(v)), Dots.ringRadius(dot));
+      ring(view.screenX(scene.x(v)), view.screenY(scene.y(v)), gauge.ringRadius(dot));
     }
   }
 
   private void defects() {
     for (Defect defect : scene.defects()) {
       if (defect.kind() != Defect.Kind.TOO_FEW && defect.kind() != Defect.Kind.COLLINEAR) {
-        pen.style(Stroke.solid(Ink.DEFECT, 2));
-        ring(view.screenX(defect.x()), view.screenY(defect.y()), DEFECT_RING);
+        pen.style(gauge.of(Stroke.solid(Ink.DEFECT, 2)));
+        ring(view.screenX(defect.x()), view.screenY(defect.y()), DEFECT_RING * gauge.dots());
       }
     }
   }

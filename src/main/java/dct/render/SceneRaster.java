@@ -30,14 +30,26 @@ public final class SceneRaster {
       double scale,
       BufferedImage image,
       Progress progress) {
+    drawShapes(scene, view, theme, Gauge.SCREEN, scale, image, progress);
+    RasterPen whole = new RasterPen(image, 0, image.getHeight(), scale, theme);
+    Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
+    ScenePainter.paintLabels(scene, view, screen, new ProgressPen(whole, progress));
+  }
+
+  /** Draws all but the labels and notes. */
+  static void drawShapes(
+      Scene scene,
+      Viewport view,
+      Theme theme,
+      Gauge gauge,
+      double scale,
+      BufferedImage image,
+      Progress progress) {
     int cores = Runtime.getRuntime().availableProcessors();
     int parts = scene.size() <= SMALL ? 1 : Math.min(cores, image.getHeight());
     IntStream.range(0, parts)
         .parallel()
-        .forEach(part -> drawRows(scene, view, theme, scale, image, part, parts, progress));
-    RasterPen whole = new RasterPen(image, 0, image.getHeight(), scale, theme);
-    Box screen = new Box(0, 0, image.getWidth() / scale, image.getHeight() / scale);
-    ScenePainter.paintLabels(scene, view, screen, new ProgressPen(whole, progress));
+        .forEach(part -> drawRows(scene, view, theme, gauge, scale, image, part, parts, progress));
   }
 
   /**
@@ -113,6 +125,7 @@ public final class SceneRaster {
       Scene scene,
       Viewport view,
       Theme theme,
+      Gauge gauge,
       double scale,
       BufferedImage image,
       int part,
@@ -123,6 +136,6 @@ public final class SceneRaster {
     RasterPen pen = new RasterPen(image, top, bottom, scale, theme);
     pen.ground();
     Box rows = new Box(0, top / scale, image.getWidth() / scale, bottom / scale);
-    ScenePainter.paintShapes(scene, view, rows, new ProgressPen(pen, progress));
+    ScenePainter.paintShapes(scene, view, rows, gauge, new ProgressPen(pen, progress));
   }
 }

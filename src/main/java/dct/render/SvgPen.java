@@ -5,25 +5,41 @@ import java.util.Locale;
 
 /**
  * Writes a drawing as an SVG 1.1 document: valid XML, numbers with a point whatever the locale, one
- * element a shape, grouped by what the colour stands for.
+ * element a shape, grouped by what the colour stands for; a style sheet says which colour that is.
  */
 public final class SvgPen implements Pen {
+  private static final double MM = 25.4 / 72; // for each point
+
   private final StringBuilder out = new StringBuilder();
   private final Theme theme;
   private boolean inGroup;
 
-  /** A drawing of this size, in pixels, on a ground of the theme's colour. */
-  public SvgPen(int width, int height, Theme theme) {
-    this.theme = theme;
+  /** A drawing for a sheet, on a ground of its theme's colour. */
+  SvgPen(Sheet sheet, Title title) {
+    this.theme = sheet.theme();
+    double unit = sheet.isPaper() ? sheet.points() * MM : 1;
+    String length = sheet.isPaper() ? "mm" : "px";
     out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
-    attribute("width", width);
-    attribute("height", height);
-    out.append(" viewBox=\"0 0 ").append(width).append(' ').append(height).append("\">\n");
-    out.append("<rect width=\"");
-    number(width);
-    attribute("height", height);
-    out.append(" fill=\"").append(hex(Ink.BACKGROUND)).append("\"/>\n");
+    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" role=\"img\"");
+    out.append(" width=\"").append(Decimals.rounded(sheet.width() * unit)).append(length);
+    out.append("\" height=\"").append(Decimals.rounded(sheet.height() * unit)).append(length);
+    out.append("\" viewBox=\"0 0 ").append(Decimals.rounded(sheet.width())).append(' ');
+    out.append(Decimals.rounded(sheet.height())).append("\">\n<title>");
+    escaped(title.title());
+    out.append("</title>\n<desc>");
+    escaped(title.description());
+    out.append("</desc>\n<style>\n");
+    for (Ink ink : Ink.values()) {
+      String hex = hex(ink);
+      out.append('.').append(word(ink)).append(" { fill: ").append(hex);
+      out.append("; stroke: ").append(hex).append(" }\n");
+    }
+    out.append("text { font-family: sans-serif; stroke: ").append(hex(Ink.BACKGROUND));
+    out.append("; stroke-width: 3.5; stroke-linejoin: round; paint-order: stroke }\n</style>\n");
+    out.append("<rect class=\"background\" width=\"");
+    number(sheet.width());
+    attribute("height", sheet.height());
+    out.append(" stroke=\"none\"/>\n");
   }
 
   /** The whole document; nothing can be drawn after. */
@@ -36,10 +52,7 @@ public final class SvgPen implements Pen {
   public void style(Stroke stroke) {
     closeGroup();
     inGroup = true;
-    out.append("<g class=\"").append(stroke.ink().name().toLowerCase(Locale.ROOT));
-    out.append("\" stroke=\"").append(hex(stroke.ink()));
-    out.append("\" fill=\"").append(hex(stroke.ink()));
-    out.append('"');
+    out.append("<g class=\"").append(word(stroke.ink())).append('"');
     attribute("stroke-width", stroke.width());
     out.append(stroke.dashed() ? " stroke-dasharray=\"5 5\">\n" : ">\n");
   }
@@ -108,10 +121,7 @@ public final class SvgPen implements Pen {
     number(x);
     attribute("y", y);
     attribute("font-size", size);
-    out.append(" font-family=\"sans-serif\" text-anchor=\"");
-    out.append(anchor.name().toLowerCase(Locale.ROOT));
-    out.append("\" stroke=\"").append(hex(Ink.BACKGROUND));
-    out.append("\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\">");
+    out.append(" text-anchor=\"").append(anchor.name().toLowerCase(Locale.ROOT)).append("\">");
     escaped(text);
     out.append("</text>\n");
   }
@@ -140,6 +150,10 @@ public final class SvgPen implements Pen {
         default -> out.append(c);
       }
     }
+  }
+
+  private static String word(Ink ink) {
+    return ink.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   private String hex(Ink ink) {

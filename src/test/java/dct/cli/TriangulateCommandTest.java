@@ -181,7 +181,7 @@ class TriangulateCommandTest {
     assertThat(whole.getAsJsonArray("edgeList")).hasSize(9);
     List.of("format", "version", "points", "edgeList", "flipList").forEach(whole::remove);
     assertThat(whole).isEqualTo(json(run.out()));
-    assertThat(ImageIO.read(png.toFile()).getWidth()).isEqualTo(1000);
+    assertThat(ImageIO.read(png.toFile()).getWidth()).isEqualTo(992);
     assertThat(svg).content().contains("<svg");
   }
 

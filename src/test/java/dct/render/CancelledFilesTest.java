@@ -70,7 +70,7 @@ class CancelledFilesTest {
       case "txt" -> (file, p) -> PointFile.write(file, sites.domain(), sites.points(), p);
       case "json" -> (file, p) -> ResultJson.write(file, solution, Optional.empty(), p);
       case "off" -> (file, p) -> DataFile.write(file, FileEnding.OFF, Drawing.of(solution), p);
-      default -> (file, p) -> PictureFile.write(Scene.of(solution), file, p);
+      default -> (file, p) -> PictureFile.write(Scene.of(solution), Figure.DEFAULT, "", file, p);
     };
   }
 

@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -21,16 +22,18 @@ import org.w3c.dom.NodeList;
 import org.xml.sax.InputSource;
 
 class PictureFileTest {
+  private static final Figure FIGURE =
+      Figure.DEFAULT.withSize(new Figure.Size(1000, Figure.Unit.PX));
+
   private final Scene scene = Scene.of(Fixtures.flippedPentagon());
 
   @Test
   void pngShowsEachColourWhereItBelongs(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.png");
-    PictureFile.write(scene, file, Progress.NONE);
+    PictureFile.write(scene, FIGURE, "pentagon", file, Progress.NONE);
     BufferedImage image = ImageIO.read(file.toFile());
     assertThat(image.getWidth()).isEqualTo(1000);
-    assertThat(image.getHeight()).isEqualTo(700);
-    Viewport view = PictureView.whole(scene, false).viewport();
+    Viewport view = SheetLayout.of(scene, FIGURE).view();
     // v2 has three edges after the flip, v0 two.
     requireInk(image, view, Ink.ODD, 400, 200);
     requireInk(image, view, Ink.EVEN, 100, 100);
@@ -56,7 +59,7 @@ class PictureFileTest {
     Document svg = parse(picture().svg());
     assertThat(svg.getElementsByTagName("line").getLength()).isEqualTo(7);
     int discs = svg.getElementsByTagName("circle").getLength();
-    int squares = svg.getElementsByTagName("rect").getLength() - 2; // without grounds
+    int squares = svg.getElementsByTagName("rect").getLength() - 1; // without the ground
     assertThat(svg.getElementsByTagName("polygon").getLength()).isEqualTo(1);
     assertThat(discs).isEqualTo(3);
     assertThat(squares).isEqualTo(2);
@@ -72,7 +75,8 @@ class PictureFileTest {
       Element group = (Element) groups.item(i);
       Ink ink = Ink.valueOf(group.getAttribute("class").toUpperCase(Locale.ROOT));
       String hex = "#" + Integer.toHexString(0x1000000 | ink.rgb(Theme.LIGHT)).substring(1);
-      assertThat(group.getAttribute("stroke")).isEqualTo(hex);
+      String rule = "." + group.getAttribute("class") + " { fill: " + hex + "; stroke: " + hex;
+      assertThat(svg.getElementsByTagName("style").item(0).getTextContent()).contains(rule);
     }
     assertThat(groups.getLength()).isGreaterThan(4);
   }
@@ -81,34 +85,41 @@ class PictureFileTest {
   void ipeIsValidAndTurnsUpsideDown() throws Exception {
     Document ipe = parse(picture().ipe());
     NodeList paths = ipe.getElementsByTagName("path");
-    assertThat(paths.getLength()).isEqualTo(1 + 7 + 5 + 1); // inside, edges, vertices, counts
+    assertThat(paths.getLength()).isEqualTo(2 + 1 + 7); // the marks' shapes, inside, edges
+    assertThat(ipe.getElementsByTagName("use").getLength()).isEqualTo(5);
+    for (String layer : List.of("polygon", "diagonals", "partition", "flipped", "vertices")) {
+      assertThat(picture().ipe()).contains("<layer name=\"" + layer + "\"/>");
+    }
     NodeList texts = ipe.getElementsByTagName("text");
     assertThat(texts.item(1).getTextContent()).isEqualTo("After: Even 3 $\\cdot$ Odd 2");
     String[] place = ((Element) texts.item(0)).getAttribute("pos").split(" ", -1);
-    assertThat(Double.parseDouble(place[1])).isBetween(600.0, 700.0); // the upper edge
+    assertThat(Double.parseDouble(place[1]))
+        .isGreaterThan(SheetLayout.of(scene, FIGURE).pointsHigh() - 30); // the upper edge
   }
 
   @Test
   void tikzDrawsEveryEdgeAndVertexInNamedColours() {
     String tex = picture().tex();
-    assertThat(tex.lines().filter(line -> line.startsWith("\\draw"))).hasSize(7);
-    assertThat(tex).contains("\\fill[inside, even odd rule] (").contains("\n -- cycle;\n");
-    assertThat(tex.lines().filter(line -> line.startsWith("\\fill[even]"))).hasSize(3);
-    assertThat(tex.lines().filter(line -> line.startsWith("\\fill[odd]"))).hasSize(2);
-    assertThat(tex).contains("\\definecolor{flipped}{HTML}{").contains("Even 3 $\\cdot$ Odd 2");
-    assertThat(tex).endsWith("\\end{tikzpicture}\n\\end{document}\n");
+    assertThat(tex.lines().filter(line -> line.matches("\\([^ ]*\\) -- \\(.*"))).hasSize(7);
+    assertThat(tex).contains("\\fill[dct-inside, even odd rule]\n(").contains("\n -- cycle;\n");
+    assertThat(tex.lines().filter(line -> line.contains(" circle["))).hasSize(3);
+    assertThat(tex.lines().filter(line -> line.matches("\\(.*\\) rectangle \\(.*"))).hasSize(2);
+    assertThat(tex).contains("\\providecolor{dct-flipped}{HTML}{");
+    assertThat(tex).contains("Even 3 $\\cdot$ Odd 2").doesNotContain("documentclass");
+    assertThat(tex).endsWith("\\end{tikzpicture}\n");
   }
 
   @Test
   void pdfIsOnePageAndAlwaysTheSame(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.pdf");
     Path again = folder.resolve("again.pdf");
-    PictureFile.write(scene, file, Progress.NONE);
-    PictureFile.write(scene, again, Progress.NONE);
+    PictureFile.write(scene, FIGURE, "pentagon", file, Progress.NONE);
+    PictureFile.write(scene, FIGURE, "pentagon", again, Progress.NONE);
     assertThat(again).hasSameBinaryContentAs(file);
     try (var document = org.apache.pdfbox.Loader.loadPDF(file.toFile())) {
       assertThat(document.getNumberOfPages()).isEqualTo(1);
-      assertThat(document.getPage(0).getMediaBox().getWidth()).isEqualTo(1000);
+      assertThat(document.getPage(0).getMediaBox().getWidth()).isEqualTo(750);
+      assertThat(document.getDocumentInformation().getTitle()).isEqualTo("pentagon");
     }
   }
 
@@ -134,7 +145,7 @@ class PictureFileTest {
 
   @Test
   void svgEscapesText() throws Exception {
-    SvgPen pen = new SvgPen(10, 10, Theme.LIGHT);
+    SvgPen pen = new SvgPen(SheetLayout.of(scene, FIGURE), new Title("", ""));
     pen.style(Stroke.fill(Ink.LABEL));
     pen.text(1, 2, Pen.Anchor.START, 10, "a < b & c > d");
     Document svg = parse(pen.finish());
@@ -145,7 +156,7 @@ class PictureFileTest {
   @Test
   void anEndingThatIsNoPictureIsRefused(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("picture.bmp");
-    assertThatThrownBy(() -> PictureFile.write(scene, file, Progress.NONE))
+    assertThatThrownBy(() -> PictureFile.write(scene, FIGURE, "pentagon", file, Progress.NONE))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining(".png");
     assertThat(Files.exists(file)).isFalse();
@@ -154,7 +165,7 @@ class PictureFileTest {
   @Test
   void theEndingMayBeInCapitals(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("PICTURE.SVG");
-    PictureFile.write(scene, file, Progress.NONE);
+    PictureFile.write(scene, FIGURE, "pentagon", file, Progress.NONE);
     assertThat(Files.readString(file)).startsWith("<?xml");
   }
 
@@ -165,6 +176,6 @@ class PictureFileTest {
   }
 
   private Picture picture() {
-    return new Picture(scene, PictureView.whole(scene, false), 1, Progress.NONE);
+    return Picture.of(scene, FIGURE, "pentagon", Progress.NONE);
   }
 }

@@ -39,7 +39,8 @@ public final class ChartFile {
     switch (ending) {
       case PNG -> PngEncoder.write(image(chart), out);
       case SVG -> out.write(svg(chart).getBytes(StandardCharsets.UTF_8));
-      case PDF -> PdfPage.write(WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
+      case PDF ->
+          PdfPage.write(chart.title(), WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
       default -> throw new IllegalArgumentException(ending + " is no chart");
     }
   }
