@@ -3,6 +3,9 @@ package dct.io;
 import dct.io.format.Format;
 import dct.io.format.Head;
 import dct.io.format.json.JsonFormat;
+import dct.io.format.lists.TsplibFormat;
+import dct.io.format.mesh.ObjFormat;
+import dct.io.format.mesh.OffFormat;
 import dct.io.format.plain.PlainFormat;
 import dct.io.format.wkt.WktFormat;
 import java.util.List;
@@ -12,7 +15,9 @@ import java.util.regex.Pattern;
 /** The formats that shapes are read from; the first that fits a file's start is taken. */
 public final class Formats {
   private static final Pattern NUMBER_IN_BRACE = Pattern.compile("\\{\\s*[-+.0-9{]");
-  private static final List<Format> FOREIGN = List.of(new WktFormat(), new JsonFormat());
+  private static final List<Format> FOREIGN =
+      List.of(
+          new WktFormat(), new JsonFormat(), new OffFormat(), new ObjFormat(), new TsplibFormat());
   private static final Format PLAIN = new PlainFormat();
 
   private Formats() {}

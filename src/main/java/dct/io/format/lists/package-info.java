@@ -1,0 +1,2 @@
+/** Lists of points and rings as other programs write them. */
+package dct.io.format.lists;

@@ -1,0 +1,105 @@
+package dct.io.format.mesh;
+
+import dct.core.geometry.Points;
+import dct.io.format.PointColumns;
+import dct.io.format.Rows;
+import dct.io.format.Shape;
+import dct.io.format.Shapes;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The vertices and faces of a mesh as they are read: one face alone is a ring, polylines are paths,
+ * and of several faces the vertices are taken as sites.
+ */
+final class Mesh {
+  private final PointColumns vertices = new PointColumns();
+  private final List<int[]> paths = new ArrayList<>();
+  private final List<String> notes = new ArrayList<>();
+  private int[] face = new int[0]; // the first one
+  private int faces;
+  private int segments; // polylines of two vertices
+  private double height; // of the first vertex
+  private boolean isUneven;
+
+  int size() {
+    return vertices.size();
+  }
+
+  /** Adds the vertex whose x stands in this word of the row. */
+  void vertex(Rows rows, int word) {
+    double z = rows.words().size() > word + 2 ? rows.number(word + 2) : 0;
+    if (size() == 0) {
+      height = z;
+    }
+    isUneven |= z != height;
+    vertices.add(rows.number(word), rows.number(word + 1), rows.line());
+  }
+
+  void face(int[] corners) {
+    if (faces++ == 0) {
+      face = corners;
+    }
+  }
+
+  void polyline(int[] corners) {
+    if (corners.length > 2) {
+      paths.add(corners);
+    } else {
+      segments++;
+    }
+  }
+
+  void note(String note) {
+    notes.add(note);
+  }
+
+  /** What there is, all lists of vertices checked to be in range. */
+  Shapes shapes(String title) {
+    if (isUneven) {
+      notes.add("z differs from vertex to vertex and is left out");
+    }
+    if (segments > 0) {
+      notes.add(segments == 1 ? "1 segment is left out" : segments + " segments are left out");
+    }
+    return new Shapes(title, kept(), notes);
+  }
+
+  private List<Shape> kept() {
+    if (!paths.isEmpty()) {
+      if (faces > 0) {
+        notes.add(faces == 1 ? "1 face is left out" : faces + " faces are left out");
+      }
+      Points points = vertices.points();
+      int[] lines = vertices.lines();
+      return paths.stream()
+          .map(path -> Shape.of(Shape.Kind.PATH, "", along(path, points, lines)))
+          .toList();
+    }
+    if (faces == 1) {
+      int unused = size() - (int) Arrays.stream(face).distinct().count();
+      if (unused > 0) {
+        notes.add(
+            unused == 1
+                ? "1 vertex is no corner of the face and is left out"
+                : unused + " vertices are no corners of the face and are left out");
+      }
+      return List.of(
+          Shape.of(Shape.Kind.RING, "", along(face, vertices.points(), vertices.lines())));
+    }
+    if (faces > 1) {
+      notes.add(faces + " faces are left out, their vertices are read as sites");
+      return List.of(Shape.of(Shape.Kind.SITES, "", vertices));
+    }
+    return List.of(Shape.of(Shape.Kind.POINTS, "", vertices));
+  }
+
+  private static PointColumns along(int[] corners, Points points, int[] lines) {
+    PointColumns ring = new PointColumns();
+    for (int v : corners) {
+      ring.add(points.x(v), points.y(v), lines[v]);
+    }
+    return ring;
+  }
+}
