@@ -89,6 +89,27 @@ class JarTest {
   }
 
   @Test
+  void the_jar_is_small_and_writes_pdf() throws Exception {
+    assertThat(Files.size(JAR)).isLessThan(7_000_000);
+    Path input = Files.writeString(folder.resolve("a_polygonbased.txt"), "0 0\n9 0\n9 9\n");
+    Process run =
+        script(
+                Path.of("bin/dct").toAbsolutePath(),
+                "convert",
+                input.toString(),
+                "-o",
+                "a.pdf",
+                "--labels",
+                "numbers")
+            .start();
+    assertThat(ProgramProcess.text(run.getErrorStream())).isEmpty();
+    assertThat(run.waitFor()).isZero();
+    try (var document = org.apache.pdfbox.Loader.loadPDF(folder.resolve("a.pdf").toFile())) {
+      assertThat(new org.apache.pdfbox.text.PDFTextStripper().getText(document)).contains("v2");
+    }
+  }
+
+  @Test
   void the_script_runs_the_jar_from_anywhere() throws Exception {
     Path link =
         Files.createSymbolicLink(folder.resolve("dct"), Path.of("bin/dct").toAbsolutePath());
