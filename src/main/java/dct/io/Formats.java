@@ -2,6 +2,9 @@ package dct.io;
 
 import dct.io.format.Format;
 import dct.io.format.Head;
+import dct.io.format.drawing.IpeFormat;
+import dct.io.format.drawing.OtherXml;
+import dct.io.format.drawing.SvgFormat;
 import dct.io.format.json.JsonFormat;
 import dct.io.format.lists.TsplibFormat;
 import dct.io.format.mesh.ObjFormat;
@@ -17,7 +20,14 @@ public final class Formats {
   private static final Pattern NUMBER_IN_BRACE = Pattern.compile("\\{\\s*[-+.0-9{]");
   private static final List<Format> FOREIGN =
       List.of(
-          new WktFormat(), new JsonFormat(), new OffFormat(), new ObjFormat(), new TsplibFormat());
+          new WktFormat(),
+          new JsonFormat(),
+          new OffFormat(),
+          new ObjFormat(),
+          new TsplibFormat(),
+          new SvgFormat(),
+          new IpeFormat(),
+          new OtherXml());
   private static final Format PLAIN = new PlainFormat();
 
   private Formats() {}

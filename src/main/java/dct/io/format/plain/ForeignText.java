@@ -5,9 +5,6 @@ import java.util.regex.Pattern;
 
 /** Forms of other programs, told by a line that is not a vertex. */
 enum ForeignText {
-  XML(
-      "<[?!a-zA-Z].*",
-      "this looks like XML, as SVG and KML are; write one vertex a line, as two numbers x y"),
   PARENTHESES(
       "\\(.*", "the parentheses do not hold one vertex each; write two numbers x y in each pair"),
   BRACES("\\{.*", "the braces do not hold one vertex each; write two numbers x y in each pair"),

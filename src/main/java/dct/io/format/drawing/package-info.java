@@ -1,0 +1,2 @@
+/** Reads drawings that are XML: SVG and the files and selections of Ipe. */
+package dct.io.format.drawing;
