@@ -102,7 +102,8 @@ final class IpeReader {
       return;
     }
     Affine matrix = matrix();
-    NumberText position = new NumberText(xml.attribute("pos"));
+    String written = xml.attribute("pos"); // Ipe leaves out that of the origin
+    NumberText position = new NumberText(written.isEmpty() ? "0 0" : written);
     double px = number(position);
     double py = number(position);
     double x = matrix.x(px, py);

@@ -103,6 +103,7 @@ class IpeFormatTest {
             + " sites: 1 2, 3 4 / 1 image is left out / 1 symbol that is no mark is left out",
         "<use name='mark/disk(sx)' pos='1 2' layer='a'/><use name='mark/disk(sx)' pos='3 4'"
             + " layer='b'/> | sites a: 1 2 / sites b: 3 4",
+        "<use name='mark/disk(sx)'/><use name='mark/disk(sx)' pos='100 0'/> | sites: 0 0, 100 0",
         "<path>1 0 0 1 50 50 e</path><path>1 0 0 1 90 70 e</path> | sites: 50 50, 90 70",
       })
   void a_selection_is_read(String content, String shapes) throws IOException {
