@@ -43,12 +43,12 @@ final class ConvertCommand extends Verb {
     if (outputs.isEmpty()) {
       throw new UsageException("-o OUTPUT is missing");
     }
-    Figure figure = picture.figure(false);
+    picture.check();
     PointDocument document = input.read(Progress.NONE);
     document.declared().ifPresent(domain -> checkNames(outputs, domain));
     Optional<Solution> solution = document.solution(Progress.NONE);
     try (Interruption interruption = new Interruption()) {
-      write(document, solution, outputs, figure);
+      write(document, solution, outputs, picture.figure(document.yUp()));
       return interruption.status();
     }
   }

@@ -71,6 +71,15 @@ final class PictureParameters {
   }
 
   /**
+   * Sees that the options are usable, before anything is read.
+   *
+   * @throws UsageException if an option is none, or two exclude each other
+   */
+  void check() {
+    figure(false).size();
+  }
+
+  /**
    * The figure asked for.
    *
    * @param isUp whether y runs upwards if nothing is said

@@ -5,6 +5,7 @@ import dct.core.degree.Optimum;
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
+import dct.io.PointDocument;
 import dct.io.ResultJson;
 import dct.problem.Instance;
 import dct.problem.Method;
@@ -52,18 +53,19 @@ final class TriangulateCommand extends Verb {
   @Override
   public Integer call() throws IOException {
     List<String> outputs = outputsOf(output);
-    Figure figure = picture.figure(false);
+    picture.check();
     boolean printsResult = outputs.contains(STANDARD_STREAM);
     if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
     optimize.check(input.name(), isSet(flip));
     Stopwatch watch = new Stopwatch();
-    Instance instance = input.instance(Progress.NONE);
+    PointDocument document = input.read(Progress.NONE);
+    Instance instance = document.instance(Progress.NONE).named(input.name());
     checkNames(outputs, instance.domain());
     try (Interruption interruption = new Interruption()) {
       Made made = make(instance, watch, progress(interruption, !isSet(quiet)));
-      write(made, outputs, figure);
+      write(made, outputs, picture.figure(document.yUp()));
       if (interruption.isAsked()
           && made.solution.optimum().stream().anyMatch(Optimum::interrupted)) {
         console().err().println("dct triangulate: stopped; the result is the best found so far");
