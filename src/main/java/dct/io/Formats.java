@@ -9,6 +9,7 @@ import dct.io.format.json.JsonFormat;
 import dct.io.format.lists.TsplibFormat;
 import dct.io.format.mesh.ObjFormat;
 import dct.io.format.mesh.OffFormat;
+import dct.io.format.mesh.TriangleFormat;
 import dct.io.format.plain.PlainFormat;
 import dct.io.format.wkt.WktFormat;
 import java.util.List;
@@ -25,6 +26,7 @@ public final class Formats {
           new OffFormat(),
           new ObjFormat(),
           new TsplibFormat(),
+          new TriangleFormat(),
           new SvgFormat(),
           new IpeFormat(),
           new OtherXml());

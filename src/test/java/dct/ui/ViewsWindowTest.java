@@ -168,7 +168,8 @@ class ViewsWindowTest extends WindowTest {
                 () ->
                     robot
                         .finder()
-                        .findByName(comparison, "status", javax.swing.text.JTextComponent.class, true)
+                        .findByName(
+                            comparison, "status", javax.swing.text.JTextComponent.class, true)
                         .getText()))
         .startsWith("A picture to look at");
   }

@@ -32,6 +32,19 @@ public record Head(String text) {
     return pattern.matcher(text).lookingAt();
   }
 
+  /** The same behind the lines at its front that start with {@code #}. */
+  public Head withoutComments() {
+    int from = 0;
+    while (from < text.length() && text.charAt(from) == '#') {
+      int end = text.indexOf('\n', from);
+      from = end < 0 ? text.length() : end + 1;
+      while (from < text.length() && Character.isWhitespace(text.charAt(from))) {
+        from++;
+      }
+    }
+    return from == 0 ? this : new Head(text.substring(from));
+  }
+
   /** Whether the text is the start of an object of JSON in which a field of this name occurs. */
   public boolean hasField(String name) {
     return first() == '{' && Pattern.compile("\"" + name + "\"\\s*:").matcher(text).find();

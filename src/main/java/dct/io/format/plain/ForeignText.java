@@ -12,10 +12,6 @@ enum ForeignText {
   QUOTED("[\"'][+-]?[0-9.].*", "the quotation marks do not hold one number each; remove the marks"),
   OFF("(ST|C|N|4|n)*OFF\\b.*", "this looks like OFF; write one vertex a line, as two numbers x y"),
   PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y"),
-  TRIANGLE(
-      "[0-9]+\\s+2\\s+[0-9]+\\s+[01]",
-      "this looks like the first line of Triangle's .node or .poly; remove it, and all but two"
-          + " columns"),
   HEADER(
       "[\"']?[A-Za-z_][\\w .\"']*(\\s*[,;\\t]\\s*[\"']?[A-Za-z_][\\w .()\"']*)+",
       "this looks like a header row below the first; remove it");

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 public final class WktFormat implements Format {
   private static final Pattern START =
       Pattern.compile(
-          "(?i)(#[^\\n]*\\n\\s*)*(SRID\\s*=\\s*\\d+\\s*;\\s*)?(MULTI)?(POINT|LINESTRING|LINEARRING|"
+          "(?i)(SRID\\s*=\\s*\\d+\\s*;\\s*)?(MULTI)?(POINT|LINESTRING|LINEARRING|"
               + "POLYGON|GEOMETRYCOLLECTION|TRIANGLE|TIN|POLYHEDRALSURFACE|CURVE|SURFACE|"
               + "CIRCULARSTRING|COMPOUNDCURVE|CURVEPOLYGON)\\s*(Z|M|ZM)?\\s*(\\(|EMPTY\\b)");
 
@@ -22,7 +22,7 @@ public final class WktFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    return head.startsWith(START);
+    return head.withoutComments().startsWith(START);
   }
 
   @Override

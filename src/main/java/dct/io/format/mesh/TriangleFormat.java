@@ -1,0 +1,101 @@
+package dct.io.format.mesh;
+
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.Input;
+import dct.io.format.PointColumns;
+import dct.io.format.Rows;
+import dct.io.format.Shape;
+import dct.io.format.Shapes;
+import dct.io.text.Shown;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/**
+ * Vertices of Shewchuk's Triangle ({@code .node}), and segments between them ({@code .poly}), which
+ * are chained to rings. A ring in which a hole's point lies is a hole. Attributes and markers are
+ * left out.
+ */
+public final class TriangleFormat implements Format {
+  private static final Pattern START =
+      Pattern.compile("[0-9]+[ \\t]+2[ \\t]+[0-9]+[ \\t]+[01][ \\t]*(#[^\\n]*)?\\r?\\n");
+
+  @Override
+  public String title() {
+    return "Triangle";
+  }
+
+  @Override
+  public boolean fits(Head head) {
+    return head.withoutComments().startsWith(START);
+  }
+
+  @Override
+  public Shapes read(Input input) throws IOException {
+    Rows rows = new Rows(input);
+    rows.next(0, 1, "counts");
+    int n = rows.count(0);
+    if (n == 0) {
+      throw rows.fault(
+          "the vertices stand in a file .node of the same name; open that, or put them in here");
+    }
+    int extra = rows.count(2) + rows.count(3);
+    PointColumns points = new PointColumns();
+    int first = 0;
+    for (int v = 0; v < n; v++) {
+      rows.next(v, n, "vertices");
+      if (v == 0) {
+        first = rows.count(0);
+      }
+      if (rows.count(0) != first + v || first > 1) {
+        throw rows.fault("the vertices are not numbered in turn from 0 or 1 on; number them so");
+      }
+      points.add(rows.number(1), rows.number(2), rows.line());
+    }
+    List<String> notes = new ArrayList<>();
+    if (extra > 0) {
+      notes.add("Attributes and markers of the vertices are left out");
+    }
+    return new Shapes(title(), shapes(rows, points, first, notes), notes);
+  }
+
+  private static List<Shape> shapes(Rows rows, PointColumns points, int first, List<String> notes)
+      throws IOException {
+    Shape sites = Shape.of(Shape.Kind.SITES, "", points);
+    if (!rows.next() || rows.count(0) == 0) {
+      return List.of(sites);
+    }
+    int segments = rows.count(0);
+    Chains chains = new Chains(points.size());
+    for (int s = 0; s < segments; s++) {
+      rows.next(s, segments, "segments");
+      chains.add(vertex(rows, 1, first, points), vertex(rows, 2, first, points));
+    }
+    PointColumns holes = new PointColumns();
+    int count = rows.next() ? rows.count(0) : 0;
+    for (int h = 0; h < count; h++) {
+      rows.next(h, count, "points of holes");
+      holes.add(rows.number(1), rows.number(2), rows.line());
+    }
+    List<Shape> rings = chains.rings(points.points(), points.lines(), holes.points());
+    int apart = chains.verticesApart();
+    if (apart > 0) {
+      notes.add(apart + (apart == 1 ? " vertex is" : " vertices are") + " on no ring, left out");
+    }
+    if (chains.looseSegments() > 0) {
+      notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
+    }
+    return rings.isEmpty() ? List.of(sites) : rings;
+  }
+
+  private static int vertex(Rows rows, int word, int first, PointColumns points) {
+    int v = rows.count(word) - first;
+    if (v < 0 || v >= points.size()) {
+      throw rows.fault(
+          "there is no vertex " + Shown.word(rows.words().get(word)) + "; correct the segment");
+    }
+    return v;
+  }
+}
