@@ -8,6 +8,8 @@ about = "Triangulates the selected marks, or the selected polygon, by the progra
 -- The program: a name on the PATH, or where it is, as "/home/me/dct/bin/dct".
 program = "dct"
 
+local io, os = _G.io, _G.os -- Ipe hands them to no ipelet itself
+
 local layer_of_kind = {
   boundary = "polygon",
   diagonal = "diagonals",
