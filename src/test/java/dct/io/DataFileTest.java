@@ -55,7 +55,7 @@ class DataFileTest {
     Random random = new Random(seed);
     double[] pairs =
         random
-            .doubles(2 * n)
+            .doubles(2L * n)
             .map(x -> whole ? Math.rint(1e6 * x) : Math.scalb(x - 0.5, random.nextInt(80) - 40))
             .toArray();
     return Points.ofPairs(pairs);

@@ -121,10 +121,15 @@ class FigureConsumersTest {
   void tex_reads_the_part_into_a_document() throws Exception {
     Files.writeString(
         folder.resolve("page.tex"),
-        "\\documentclass{article}\n\\usepackage{tikz}\n\\pagestyle{empty}\\parindent0pt\n"
-            + "\\pdfpagewidth238.11bp \\pdfpageheight500bp\n\\hoffset-1in\\voffset-1in\n"
-            + "\\oddsidemargin0pt\\topmargin0pt\\headheight0pt\\headsep0pt\\topskip0pt\n"
-            + "\\begin{document}\\input{a.tex}\\typeout{OK}\\end{document}\n");
+        """
+        \\documentclass{article}
+        \\usepackage{tikz}
+        \\pagestyle{empty}\\parindent0pt
+        \\pdfpagewidth238.11bp \\pdfpageheight500bp
+        \\hoffset-1in\\voffset-1in
+        \\oddsidemargin0pt\\topmargin0pt\\headheight0pt\\headsep0pt\\topskip0pt
+        \\begin{document}\\input{a.tex}\\typeout{OK}\\end{document}
+        """);
     assertThat(run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"))
         .contains("OK")
         .doesNotContain("Font Warning");

@@ -146,13 +146,15 @@ class SelectionWindowTest extends WindowTest {
     clickMenu("Copy for Ipe");
     assertThat(clipboard())
         .isEqualTo(
-            "<ipeselection pos=\"0 0\">\n"
-                + "<path stroke=\"black\">\n"
-                + "100 -100 m\n"
-                + "300 -100 l\n"
-                + "h\n"
-                + "</path>\n"
-                + "</ipeselection>\n");
+            """
+            <ipeselection pos="0 0">
+            <path stroke="black">
+            100 -100 m
+            300 -100 l
+            h
+            </path>
+            </ipeselection>
+            """);
     type(KeyEvent.VK_ESCAPE);
     Toolkit.getDefaultToolkit()
         .getSystemClipboard()

@@ -103,11 +103,14 @@ final class NumberText {
     return text.substring(start, at);
   }
 
+  private static boolean isWord(byte b) {
+    return b == -1 || (b > ' ' && b != ',' && b != ')');
+  }
+
   /** What stands here up to the next white space or comma. */
   String word() {
     int end = at;
-    while (end < ascii.length && ascii[end] > ' ' && ascii[end] != ',' && ascii[end] != ')'
-        || end < ascii.length && ascii[end] == -1) {
+    while (end < ascii.length && isWord(ascii[end])) {
       end++;
     }
     return text.substring(at, Math.max(end, Math.min(at + 1, text.length())));

@@ -222,11 +222,16 @@ class SvgFormatTest {
                         + "<use href='#a'/><image/><g display='none'><rect/></g>"
                         + "<svg><polygon points='0,0 1,0 1,1'/></svg>")))
         .isEqualTo(
-            "ring: 0 0, 1 0, 1 1\n3 curved paths are left out\n"
-                + "2 lines of fewer than 3 vertices are left out\n"
-                + "1 rectangle without a plain size is left out\n1 image is left out\n"
-                + "1 copy by reference is left out\n1 hidden element is left out\n"
-                + "1 embedded drawing is left out");
+            """
+            ring: 0 0, 1 0, 1 1
+            3 curved paths are left out
+            2 lines of fewer than 3 vertices are left out
+            1 rectangle without a plain size is left out
+            1 image is left out
+            1 copy by reference is left out
+            1 hidden element is left out
+            1 embedded drawing is left out\
+            """);
   }
 
   @Test
@@ -331,8 +336,8 @@ class SvgFormatTest {
     StringBuilder data = new StringBuilder("m 0,0");
     StringBuilder places = new StringBuilder("0,0");
     for (int v = 0; v < 300; v++) {
-      long dx = random.nextInt(2_000_001) - 1_000_000;
-      long dy = random.nextInt(2_000_001) - 1_000_000;
+      long dx = random.nextInt(2_000_001) - 1_000_000L;
+      long dy = random.nextInt(2_000_001) - 1_000_000L;
       x += dx;
       y += dy;
       data.append(' ').append(dx / 1000.0).append(',').append(dy / 1000.0);

@@ -95,6 +95,11 @@ class XmlTest {
           public int read() {
             throw new CancellationException();
           }
+
+          @Override
+          public int read(byte[] bytes, int from, int length) {
+            return read();
+          }
         };
     assertThatThrownBy(() -> new SvgFormat().read(Input.of("in", cancelled)))
         .isInstanceOf(CancellationException.class);
@@ -108,6 +113,12 @@ class XmlTest {
               throw new IOException("the disk is gone");
             }
             return "<svg>   ".charAt(Math.min(given++, 7));
+          }
+
+          @Override
+          public int read(byte[] bytes, int from, int length) throws IOException {
+            bytes[from] = (byte) read();
+            return 1;
           }
         };
     assertThatThrownBy(() -> new SvgFormat().read(Input.of("in", failing)))
