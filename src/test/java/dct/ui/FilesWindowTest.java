@@ -407,19 +407,48 @@ class FilesWindowTest extends WindowTest {
     JFileChooserFixture panel =
         JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
     assertThat(onEventThread(() -> panel.target().getDialogTitle())).isEqualTo("Export Picture");
-    onEventThread(
-        () -> {
-          robot
-              .finder()
-              .findByName(panel.target(), "scale", javax.swing.JComboBox.class)
-              .setSelectedIndex(1);
-          return null;
-        });
+    pick(panel, "extent", 0);
+    pick(panel, "scale", 1);
     typeName(folder.resolve("picture").toString());
     Path file = folder.resolve("picture.png");
     settle();
     assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(2 * canvas().getWidth());
     assertThat(frame.label("status").text()).isEqualTo("Exported " + file);
+  }
+
+  private void pick(JFileChooserFixture panel, String name, int index) {
+    onEventThread(
+        () -> {
+          robot
+              .finder()
+              .findByName(panel.target(), name, javax.swing.JComboBox.class)
+              .setSelectedIndex(index);
+          return null;
+        });
+  }
+
+  @Test
+  void aFigureForAPaperIsExportedAndTheChoiceIsKept() throws Exception {
+    drawTriangle();
+    menu("Export Picture");
+    JFileChooserFixture panel =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    pick(panel, "extent", 1);
+    pick(panel, "theme", 1);
+    typeName(folder.resolve("figure.svg").toString());
+    Path file = folder.resolve("figure.svg");
+    settle();
+    assertThat(Files.readString(file)).contains("width=\"84mm\"");
+    menu("Export Picture");
+    JFileChooserFixture again =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    assertThat(robot.finder().findByName(again.target(), "extent", javax.swing.JComboBox.class))
+        .extracting(javax.swing.JComboBox::getSelectedIndex)
+        .isEqualTo(1);
+    pick(again, "extent", 0);
+    typeName(folder.resolve("seen.svg").toString());
+    settle();
+    assertThat(Files.readString(folder.resolve("seen.svg"))).doesNotContain("width=\"84mm\"");
   }
 
   @Test

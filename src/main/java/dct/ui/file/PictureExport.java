@@ -1,50 +1,35 @@
 package dct.ui.file;
 
-import dct.core.Progress;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
+import dct.render.Figure;
 import dct.render.PictureFile;
 import dct.render.PictureView;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
 import dct.ui.job.Jobs;
-import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Dimension;
-import java.awt.GridLayout;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
-import javax.swing.JComboBox;
-import javax.swing.JLabel;
-import javax.swing.JPanel;
 
 /** Writes what a canvas shows to a picture file that the user names. */
 public final class PictureExport {
   private static final String TITLE = "Export Picture";
-  private static final int[] SCALES = {1, 2, 4};
 
   private final Component parent;
   private final CanvasPanel canvas;
-  private final JComboBox<String> scales = new JComboBox<>();
+  private final FigurePanel options;
 
   private PictureExport(Component parent, CanvasPanel canvas) {
     this.parent = parent;
     this.canvas = canvas;
-    Dimension size = canvas.getSize();
-    for (int scale : SCALES) {
-      scales.addItem(
-          String.format(
-              Locale.ROOT, "%d× (%d × %d)", scale, scale * size.width, scale * size.height));
-    }
-    scales.setName("scale");
-    scales.setToolTipText("Pixels of a PNG; other pictures have none and are sharp at any size");
+    this.options = new FigurePanel(canvas.scene(), canvas.viewport().yUp());
   }
 
   /**
@@ -61,12 +46,13 @@ public final class PictureExport {
   private void ask(String name, Jobs jobs, Consumer<String> done) {
     Path suggested = Path.of(fileName(name) + ".png");
     Optional<Path> typed =
-        Chooser.PICTURES.ask(
-            parent, suggested, TITLE, chooser -> chooser.setAccessory(accessory()));
+        Chooser.PICTURES.ask(parent, suggested, TITLE, chooser -> chooser.setAccessory(options));
     if (typed.isPresent()) {
       Path file = FileEnding.PNG.orElseOn(typed.get(), Content.PICTURE);
-      if (!Files.exists(file) || Chooser.confirmReplacing(parent, file)) {
-        export(file, jobs, done);
+      options.remember();
+      boolean isFree = !Files.exists(file) || Chooser.confirmReplacing(parent, file);
+      if (isFree && isMeant(file)) {
+        export(name, file, jobs, done);
       }
     }
   }
@@ -76,34 +62,43 @@ public final class PictureExport {
     return name.replaceFirst("\\.[A-Za-z]{1,5}$", "").replaceAll("[^\\p{L}\\p{N}.+-]+", "_");
   }
 
-  private JPanel accessory() {
-    JLabel label = new JLabel("Size of a PNG:");
-    label.setDisplayedMnemonic('z');
-    label.setLabelFor(scales);
-    JPanel lines = new JPanel(new GridLayout(0, 1, 0, 4));
-    lines.setBorder(BorderFactory.createEmptyBorder(0, 12, 0, 0));
-    lines.add(label);
-    lines.add(scales);
-    JPanel accessory = new JPanel(new BorderLayout());
-    accessory.add(lines, BorderLayout.NORTH);
-    return accessory;
+  /** Says what should be said before; whether to go on. */
+  private boolean isMeant(Path file) {
+    return PictureFile.warning(canvas.scene(), file)
+        .map(warning -> Ask.confirm(parent, TITLE, warning + ".", "Export"))
+        .orElse(true);
   }
 
-  private void export(Path file, Jobs jobs, Consumer<String> done) {
+  private void export(String name, Path file, Jobs jobs, Consumer<String> done) {
     Scene scene = canvas.scene();
     PictureView view =
         new PictureView(canvas.viewport(), canvas.getWidth(), canvas.getHeight(), canvas.notes());
-    int scale = SCALES[scales.getSelectedIndex()];
+    Optional<Figure> figure = options.figure();
+    int scale = options.scale();
     jobs.write(
         "Exporting " + file.getFileName(),
-        progress -> write(scene, view, scale, file, progress),
+        progress ->
+            write(
+                () -> {
+                  if (figure.isPresent()) {
+                    PictureFile.write(scene, figure.get(), name, file, progress);
+                  } else {
+                    PictureFile.write(scene, view, scale, file, progress);
+                  }
+                },
+                file),
         written -> done.accept("Exported " + written));
   }
 
-  private static Path write(
-      Scene scene, PictureView view, int scale, Path file, Progress progress) {
+  /** Writes a file. */
+  @FunctionalInterface
+  private interface Writing {
+    void write() throws CannotWriteException;
+  }
+
+  private static Path write(Writing writing, Path file) {
     try {
-      PictureFile.write(scene, view, scale, file, progress);
+      writing.write();
       return file;
     } catch (CannotWriteException e) {
       throw new UncheckedIOException(e);

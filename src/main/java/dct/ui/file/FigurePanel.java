@@ -1,0 +1,231 @@
+package dct.ui.file;
+
+import dct.core.Progress;
+import dct.render.Figure;
+import dct.render.PictureFile;
+import dct.render.Scene;
+import dct.render.Theme;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.awt.Insets;
+import java.awt.image.BufferedImage;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+
+/**
+ * What is asked of a picture beside its file, with a preview: what it shows and how large, its
+ * colours, counts and legend. The answers are those of the last time.
+ */
+final class FigurePanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+  private static final int GAP = 6;
+
+  private static Answers last = new Answers(0, 0, 0, true, false);
+
+  private final transient Scene scene;
+  private final boolean yUp;
+  private final JComboBox<String> extent =
+      new JComboBox<>(
+          new String[] {"As in the window", "Figure, column (84 mm)", "Figure, page (174 mm)"});
+  private final JComboBox<String> scale =
+      new JComboBox<>(new String[] {"1 ×", "2 ×", "3 ×", "4 ×"});
+  private final JComboBox<String> theme = new JComboBox<>(new String[] {"Light", "Print", "Dark"});
+  private final JCheckBox counts = new JCheckBox("Counts");
+  private final JCheckBox legend = new JCheckBox("Legend");
+  private final Preview preview = new Preview();
+
+  /** What was chosen in each of the fields. */
+  private record Answers(int extent, int scale, int theme, boolean counts, boolean legend) {}
+
+  /**
+   * Fields for pictures of a scene.
+   *
+   * @param yUp whether y grows upwards in them
+   */
+  FigurePanel(Scene scene, boolean yUp) {
+    super(new BorderLayout(0, GAP));
+    this.scene = scene;
+    this.yUp = yUp;
+    setBorder(BorderFactory.createEmptyBorder(0, 2 * GAP, 0, 0));
+    JPanel fields = new JPanel(new GridBagLayout());
+    ask(
+        fields,
+        0,
+        "Shows:",
+        'h',
+        extent,
+        "extent",
+        "The window's part, or all, cropped, for a paper");
+    ask(
+        fields,
+        1,
+        "PNG scale:",
+        'g',
+        scale,
+        "scale",
+        "Pixels of a PNG; others are sharp at any size");
+    ask(fields, 2, "Colours:", 'o', theme, "theme", "Print is told apart in grey, too");
+    check(fields, 3, counts, 't', "counts", "Writes how many vertices are even and odd");
+    check(fields, 4, legend, 'l', "legend", "Says what colours and shapes stand for");
+    add(fields, BorderLayout.NORTH);
+    add(preview);
+    extent.setSelectedIndex(last.extent);
+    scale.setSelectedIndex(last.scale);
+    theme.setSelectedIndex(last.theme);
+    counts.setSelected(last.counts);
+    legend.setSelected(last.legend);
+    extent.addActionListener(e -> changed());
+    theme.addActionListener(e -> changed());
+    counts.addActionListener(e -> changed());
+    legend.addActionListener(e -> changed());
+    changed();
+  }
+
+  private static void ask(
+      JPanel fields,
+      int row,
+      String words,
+      char letter,
+      JComponent field,
+      String name,
+      String tip) {
+    JLabel label = new JLabel(words);
+    label.setDisplayedMnemonic(letter);
+    label.setLabelFor(field);
+    field.setName(name);
+    field.setToolTipText(tip);
+    fields.add(label, at(0, row));
+    fields.add(field, at(1, row));
+  }
+
+  private static void check(
+      JPanel fields, int row, JCheckBox box, char letter, String name, String tip) {
+    box.setMnemonic(letter);
+    box.setName(name);
+    box.setToolTipText(tip);
+    fields.add(box, at(1, row));
+  }
+
+  private static GridBagConstraints at(int column, int row) {
+    GridBagConstraints at = new GridBagConstraints();
+    at.gridx = column;
+    at.gridy = row;
+    at.anchor = GridBagConstraints.LINE_START;
+    at.insets = new Insets(2, column == 0 ? 0 : GAP, 2, 0);
+    return at;
+  }
+
+  /** The figure asked for; nothing if the window's part is. */
+  Optional<Figure> figure() {
+    Theme colours = Theme.valueOf(theme.getSelectedItem().toString().toUpperCase(Locale.ROOT));
+    double width = extent.getSelectedIndex() == 2 ? 174 : 84;
+    Figure figure =
+        new Figure(
+            new Figure.Size(width, Figure.Unit.MM),
+            scale(),
+            true,
+            scene.labels(),
+            counts.isSelected(),
+            legend.isSelected(),
+            yUp,
+            colours,
+            false);
+    return extent.getSelectedIndex() == 0 ? Optional.empty() : Optional.of(figure);
+  }
+
+  /** How many times finer the pixels of a PNG are. */
+  int scale() {
+    return scale.getSelectedIndex() + 1;
+  }
+
+  /** Keeps the answers for the next time. */
+  void remember() {
+    last =
+        new Answers(
+            extent.getSelectedIndex(),
+            scale.getSelectedIndex(),
+            theme.getSelectedIndex(),
+            counts.isSelected(),
+            legend.isSelected());
+  }
+
+  private void changed() {
+    boolean isFigure = extent.getSelectedIndex() > 0;
+    for (Component field : new Component[] {theme, counts, legend}) {
+      field.setEnabled(isFigure);
+    }
+    preview.show(figure());
+  }
+
+  /** A small picture of what will be written, drawn in the background. */
+  private final class Preview extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int WIDTH = 260;
+    private static final int HEIGHT = 200;
+
+    private final transient AtomicInteger turn = new AtomicInteger();
+    private transient BufferedImage image;
+
+    Preview() {
+      setOpaque(false);
+      setPreferredSize(new Dimension(WIDTH, HEIGHT));
+      setName("preview");
+      getAccessibleContext().setAccessibleName("Preview");
+    }
+
+    void show(Optional<Figure> figure) {
+      int mine = turn.incrementAndGet();
+      image = null;
+      repaint();
+      figure.ifPresent(
+          shown ->
+              CompletableFuture.supplyAsync(() -> draw(shown, mine))
+                  .thenAccept(drawn -> SwingUtilities.invokeLater(() -> take(drawn, mine))));
+    }
+
+    private BufferedImage draw(Figure figure, int mine) {
+      Progress untilAnother =
+          new Progress() {
+            @Override
+            public void report(double part, String message) {}
+
+            @Override
+            public boolean isCancelled() {
+              return turn.get() != mine;
+            }
+          };
+      return PictureFile.preview(scene, figure, WIDTH, untilAnother);
+    }
+
+    private void take(BufferedImage drawn, int mine) {
+      if (turn.get() == mine) {
+        image = drawn;
+        repaint();
+      }
+    }
+
+    @Override
+    protected void paintComponent(Graphics g) {
+      super.paintComponent(g);
+      if (image != null) {
+        double part = Math.min(1, (double) getHeight() / image.getHeight());
+        int width = (int) Math.round(part * image.getWidth());
+        int height = (int) Math.round(part * image.getHeight());
+        g.drawImage(image, (getWidth() - width) / 2, 0, width, height, null);
+      }
+    }
+  }
+}
