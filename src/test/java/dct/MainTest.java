@@ -68,8 +68,8 @@ class MainTest {
   void a_heap_that_is_too_small_gives_one_clear_sentence()
       throws IOException, InterruptedException {
     StringBuilder circle = new StringBuilder();
-    for (int k = 0; k < 1200; k++) {
-      double angle = 2 * Math.PI * k / 1200;
+    for (int k = 0; k < 100_000; k++) {
+      double angle = 2 * Math.PI * k / 100_000;
       circle.append(Math.cos(angle)).append(' ').append(Math.sin(angle)).append('\n');
     }
     String file = Files.writeString(folder.resolve("circle.txt"), circle).toString();

@@ -208,7 +208,7 @@ class PointCommandsTest {
     for (String kind : new String[] {"polygon", "points"}) {
       Path png = folder.resolve(kind + ".png");
       CliRun.withInput("0 0\n4 0\n0 4", "convert", "-", "--as", kind, "-o", png).done();
-      assertThat(ImageIO.read(png.toFile()).getHeight()).isEqualTo(700);
+      assertThat(ImageIO.read(png.toFile()).getWidth()).as("84 mm at 300 dpi").isEqualTo(992);
     }
   }
 

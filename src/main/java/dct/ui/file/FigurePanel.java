@@ -15,7 +15,7 @@ import java.awt.Insets;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -23,7 +23,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.SwingUtilities;
+import javax.swing.SwingWorker;
 
 /**
  * What is asked of a picture beside its file, with a preview: what it shows and how large, its
@@ -190,10 +190,32 @@ final class FigurePanel extends JPanel {
       int mine = turn.incrementAndGet();
       image = null;
       repaint();
-      figure.ifPresent(
-          shown ->
-              CompletableFuture.supplyAsync(() -> draw(shown, mine))
-                  .thenAccept(drawn -> SwingUtilities.invokeLater(() -> take(drawn, mine))));
+      figure.ifPresent(shown -> new Drawing(shown, mine).execute());
+    }
+
+    /** The drawing of one figure, in the background. */
+    private final class Drawing extends SwingWorker<BufferedImage, Void> {
+      private final Figure figure;
+      private final int mine;
+
+      Drawing(Figure figure, int mine) {
+        this.figure = figure;
+        this.mine = mine;
+      }
+
+      @Override
+      protected BufferedImage doInBackground() {
+        return draw(figure, mine);
+      }
+
+      @Override
+      protected void done() {
+        try {
+          take(get(), mine);
+        } catch (ExecutionException | InterruptedException e) {
+          take(null, mine); // another one has been asked for, or there is no memory for it
+        }
+      }
     }
 
     private BufferedImage draw(Figure figure, int mine) {
