@@ -442,9 +442,9 @@ class FilesWindowTest extends WindowTest {
     menu("Export Picture");
     JFileChooserFixture again =
         JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    assertThat(robot.finder().findByName(again.target(), "extent", javax.swing.JComboBox.class))
-        .extracting(javax.swing.JComboBox::getSelectedIndex)
-        .isEqualTo(1);
+    javax.swing.JComboBox<?> extent =
+        robot.finder().findByName(again.target(), "extent", javax.swing.JComboBox.class);
+    assertThat(onEventThread(extent::getSelectedIndex)).isEqualTo(1);
     pick(again, "extent", 0);
     typeName(folder.resolve("seen.svg").toString());
     settle();
