@@ -3,8 +3,6 @@ package dct.cli;
 import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.triangulate.Domain;
-import dct.io.FileEnding;
-import dct.io.FileEnding.Content;
 import dct.io.PointDocument;
 import dct.io.ResultJson;
 import dct.problem.Instance;
@@ -32,10 +30,9 @@ final class TriangulateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Where to write: .json the whole result, .txt the vertices, .off the triangles, "
-              + FileEnding.list(Content.PICTURE)
-              + " a picture; - is the"
-              + " whole result as JSON on standard output. May repeat.");
+          "Where to write: .json the whole result, otherwise what the ending names, "
+              + endings()
+              + "; - is the whole result as JSON on standard output. May repeat.");
   private final PictureParameters picture = new PictureParameters(this);
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");

@@ -28,7 +28,7 @@ class DocumentationTest {
   private static final String PROGRAM = "java -jar target/dct.jar ";
   private static final Pattern OPTION = Pattern.compile("(?<= )(--[a-z-]+|-[a-z])(?=[ =]|$)");
   private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)\\)");
-  private static final Pattern ENDING = Pattern.compile("(?<=[ `])\\.[a-z]+(?=[,;` ])");
+  private static final Pattern ENDING = Pattern.compile("(?<=[\\s`])(\\.[a-z]+)+(?=[,;`\\s])");
   private static final Pattern CLASS =
       Pattern.compile("`([A-Z][a-z][A-Za-z0-9]*)(?:\\.[A-Za-z0-9]+)?`");
 

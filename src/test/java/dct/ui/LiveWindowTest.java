@@ -47,7 +47,7 @@ class LiveWindowTest extends WindowTest {
       assertThat(counts()).isEqualTo(onEventThread(() -> now.scene().counts()));
     }
     Solution dragged = shown().solution().orElseThrow();
-    assertThat(edges(dragged)).isNotEqualTo(edges(before));
+    assertThat(dragged.instance().points()).isNotEqualTo(before.instance().points());
     release();
     assertThat(edges(shown().solution().orElseThrow())).isEqualTo(edges(dragged));
     assertThat(points()).isEqualTo(shown().document().points());

@@ -41,6 +41,7 @@ final class RowsTable extends JTable {
     plain.setHorizontalAlignment(SwingConstants.TRAILING);
     setDefaultRenderer(Number.class, plain);
     setToolTipText("A double-click opens the pictures of a row");
+    fitColumns();
     listen();
   }
 
@@ -48,6 +49,12 @@ final class RowsTable extends JTable {
   @Override
   public void createDefaultColumnsFromModel() {
     super.createDefaultColumnsFromModel();
+    if (getFont() != null) { // else the table is still being made
+      fitColumns();
+    }
+  }
+
+  private void fitColumns() {
     FontMetrics letters = getFontMetrics(getFont());
     for (TableColumn column : Collections.list(getColumnModel().getColumns())) {
       String head = String.valueOf(column.getHeaderValue());
