@@ -30,9 +30,9 @@ final class TriangulateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Where to write: .json the whole result, otherwise what the ending names, "
+          "Where to: "
               + endings()
-              + "; - is the whole result as JSON on standard output. May repeat.");
+              + "; .json is the whole result, and so is - on standard output. May repeat.");
   private final PictureParameters picture = new PictureParameters(this);
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");
   private final OptionSpec quiet = flag("--quiet", "Print no summary for people.");
