@@ -8,9 +8,9 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
 import dct.io.format.Choice;
-import dct.io.format.SeveralShapes;
 import dct.io.format.Shapes;
 import dct.ui.command.CommandRegistry;
+import dct.ui.dialog.Found;
 import dct.ui.dialog.ShapeChooser;
 import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
@@ -32,7 +32,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
-import javax.swing.SwingUtilities;
 
 /**
  * The commands for the vertices that are selected. The clipboard holds a line "x y" for each.
@@ -141,39 +140,25 @@ public final class SelectionCommands {
         .jobs()
         .read(
             "Pasting",
-            progress -> Found.in(text, choice, domain, progress),
-            found -> {
-              found.points.filter(p -> workbench.isChosen(domain)).ifPresent(this::paste);
-              found.several.ifPresent(
-                  shapes -> SwingUtilities.invokeLater(() -> choose(text, choice, shapes)));
-            });
+            progress -> Found.by(() -> distinct(parse(text, choice), domain, progress)),
+            found ->
+                found.handOn(
+                    points -> paste(points, domain), shapes -> choose(text, choice, shapes)));
   }
 
-  private void paste(Points points) {
-    insert("Paste", points, ParityGoal.allEven(points.size()), 0);
+  private static Points distinct(Points points, Domain domain, Progress progress) {
+    return domain == Domain.SITES ? Sites.of(points, progress).points() : points;
+  }
+
+  private void paste(Points points, Domain domain) {
+    if (workbench.isChosen(domain)) {
+      insert("Paste", points, ParityGoal.allEven(points.size()), 0);
+    }
   }
 
   private void choose(String text, Choice choice, Shapes shapes) {
     Component over = KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow();
     ShapeChooser.ask(over, "Paste", shapes, choice).ifPresent(chosen -> paste(text, chosen));
-  }
-
-  /**
-   * What a text turned out to hold: points, or several shapes of which one is to be chosen.
-   *
-   * @param points the points
-   * @param several the shapes
-   */
-  private record Found(Optional<Points> points, Optional<Shapes> several) {
-    static Found in(String text, Choice choice, Domain domain, Progress progress) {
-      try {
-        Points read = parse(text, choice);
-        Points distinct = domain == Domain.SITES ? Sites.of(read, progress).points() : read;
-        return new Found(Optional.of(distinct), Optional.empty());
-      } catch (SeveralShapes e) {
-        return new Found(Optional.empty(), Optional.of(e.shapes()));
-      }
-    }
   }
 
   private static Optional<String> clipboard() {

@@ -1,16 +1,15 @@
 package dct.ui.file;
 
-import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
 import dct.io.FileNames;
 import dct.io.FileStamp;
 import dct.io.format.Choice;
-import dct.io.format.SeveralShapes;
 import dct.io.format.Shapes;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
+import dct.ui.dialog.Found;
 import dct.ui.dialog.ShapeChooser;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
@@ -94,33 +93,13 @@ public final class FileWork {
         .jobs()
         .read(
             "Reading " + typed.getFileName(),
-            progress -> Found.in(typed, choice, progress),
-            found -> {
-              found.read.ifPresent(this::offer);
-              found.several.ifPresent(
-                  shapes -> SwingUtilities.invokeLater(() -> choose(typed, choice, shapes)));
-            });
+            progress -> Found.by(() -> DocumentFile.read(typed, choice, progress)),
+            found -> found.handOn(this::offer, shapes -> choose(typed, choice, shapes)));
   }
 
   private void choose(Path typed, Choice choice, Shapes shapes) {
     String title = "Open " + typed.getFileName();
     ShapeChooser.ask(window, title, shapes, choice).ifPresent(chosen -> open(typed, chosen));
-  }
-
-  /**
-   * What a file turned out to hold: a document, or several shapes of which one is to be chosen.
-   *
-   * @param read the document
-   * @param several the shapes
-   */
-  private record Found(Optional<Read> read, Optional<Shapes> several) {
-    static Found in(Path typed, Choice choice, Progress progress) {
-      try {
-        return new Found(Optional.of(DocumentFile.read(typed, choice, progress)), Optional.empty());
-      } catch (SeveralShapes e) {
-        return new Found(Optional.empty(), Optional.of(e.shapes()));
-      }
-    }
   }
 
   private void used(Path file) {
