@@ -1,6 +1,5 @@
 package dct.io;
 
-import dct.core.Decimals;
 import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
@@ -11,6 +10,7 @@ import dct.io.format.Head;
 import dct.io.format.Input;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
+import dct.io.format.TextOut;
 import dct.io.format.plain.TextLayout;
 import dct.io.format.plain.VertexText;
 import dct.io.text.BadInputException;
@@ -20,11 +20,12 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /**
  * Files of points, in any of the {@link Formats} or as the program's own JSON, told by content.
@@ -108,11 +109,25 @@ public final class PointFile {
 
   private static Shapes shapes(String name, InputStream in, Optional<Path> file, Columns columns)
       throws IOException {
+    return recognized(name, in, file, columns, PointFile::ownShape, (format, shapes) -> shapes);
+  }
+
+  /** Tells the format of a text, reads it, and makes something of what it holds. */
+  private static <T> T recognized(
+      String name,
+      InputStream in,
+      Optional<Path> file,
+      Columns columns,
+      Function<Claims, T> own,
+      BiFunction<Format, Shapes, T> foreign)
+      throws IOException {
     BufferedInputStream text = new BufferedInputStream(PlainText.of(name, in), Head.LENGTH);
     Optional<Format> format = Formats.of(Head.of(text));
-    return format.isPresent()
-        ? format.get().read(new Input(name, text, file, columns))
-        : ownShape(JsonText.read(name, text));
+    if (format.isEmpty()) {
+      return own.apply(JsonText.read(name, text));
+    }
+    Shapes shapes = format.get().read(new Input(name, text, file, columns));
+    return foreign.apply(format.get(), shapes);
   }
 
   private static Shapes ownShape(Claims said) {
@@ -130,13 +145,13 @@ public final class PointFile {
 
   private static PointDocument read(String name, InputStream in, Optional<Path> file, Choice choice)
       throws IOException {
-    BufferedInputStream text = new BufferedInputStream(PlainText.of(name, in), Head.LENGTH);
-    Optional<Format> format = Formats.of(Head.of(text));
-    if (format.isEmpty()) {
-      return PointDocument.of(JsonText.read(name, text), choice);
-    }
-    Shapes shapes = format.get().read(new Input(name, text, file, choice.columns()));
-    return ChosenShape.of(name, shapes, format.get().yUp(), choice);
+    return recognized(
+        name,
+        in,
+        file,
+        choice.columns(),
+        claims -> PointDocument.of(claims, choice),
+        (format, shapes) -> ChosenShape.of(name, shapes, format.yUp(), choice));
   }
 
   /**
@@ -181,22 +196,13 @@ public final class PointFile {
 
   private static void write(OutputStream out, String head, Points points, Progress progress)
       throws IOException {
-    StringBuilder text = new StringBuilder(head);
+    TextOut text = new TextOut(out, progress).add(head);
     for (int i = 0; i < points.size(); i++) {
-      Progress.tick(progress, i, points.size(), "Writing");
-      Decimals.append(text, points.x(i));
-      text.append(i == 0 && TextLayout.looksLikeCounts(points) ? ".0 " : " ");
-      Decimals.append(text, points.y(i));
-      text.append('\n');
-      if (text.length() > 1 << 15) {
-        flush(text, out);
-      }
+      text.tick(i, points.size());
+      text.add(points.x(i));
+      text.add(i == 0 && TextLayout.looksLikeCounts(points) ? ".0 " : " ");
+      text.add(points.y(i)).add("\n");
     }
-    flush(text, out);
-  }
-
-  private static void flush(StringBuilder text, OutputStream out) throws IOException {
-    out.write(text.toString().getBytes(StandardCharsets.US_ASCII));
-    text.setLength(0);
+    text.flush();
   }
 }
