@@ -68,7 +68,7 @@ final class SolutionOutput {
   /** The name of an input, without folder and ending; empty for standard input. */
   static String title(String source) {
     Path file = source.equals(Verb.STANDARD_STREAM) ? null : Path.of(source).getFileName();
-    return file == null ? "" : file.toString().replaceFirst("\\.[A-Za-z]{1,5}$", "");
+    return file == null ? "" : FileEnding.without(file.toString());
   }
 
   /** Writes a picture of the whole scene, with a warning if its reader will have trouble. */

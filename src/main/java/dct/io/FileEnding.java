@@ -135,9 +135,14 @@ public enum FileEnding {
         : typed.resolveSibling(typed.getFileName() + dotted());
   }
 
+  /** A name without its ending, if it has one. */
+  public static String without(String name) {
+    return name.replaceFirst("\\.[A-Za-z]{1,5}$", "");
+  }
+
   /** The file of the same name with this ending in place of its own. */
   public Path insteadOf(Path file) {
     String name = file.getFileName().toString();
-    return file.resolveSibling(name.replaceFirst("\\.[A-Za-z]{1,5}$", "") + dotted());
+    return file.resolveSibling(without(name) + dotted());
   }
 }

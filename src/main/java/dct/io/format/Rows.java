@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -28,6 +29,11 @@ public final class Rows {
   /** The lines of a file's start that hold more than a comment. */
   public static Stream<String> of(Head head) {
     return head.text().lines().map(Rows::withoutComment).filter(line -> !line.isEmpty());
+  }
+
+  /** Whether the first of these lines matches a pattern as a whole. */
+  public static boolean startsWith(Head head, Pattern pattern) {
+    return of(head).findFirst().filter(line -> pattern.matcher(line).matches()).isPresent();
   }
 
   private static String withoutComment(String line) {

@@ -59,7 +59,7 @@ public final class PictureExport {
 
   /** A file's name without its ending, or words joined to one. */
   public static String fileName(String name) {
-    return name.replaceFirst("\\.[A-Za-z]{1,5}$", "").replaceAll("[^\\p{L}\\p{N}.+-]+", "_");
+    return FileEnding.without(name).replaceAll("[^\\p{L}\\p{N}.+-]+", "_");
   }
 
   /** Says what should be said before; whether to go on. */

@@ -27,8 +27,6 @@ import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 
 /**
  * Help ▸ Find Command…: a field for a part of a name or of what a command does, and the commands
@@ -49,7 +47,7 @@ public final class CommandFinder extends JDialog {
     setName("findCommand");
     setUndecorated(true);
     setContentPane(content());
-    field.getDocument().addDocumentListener(new Typing());
+    field.getDocument().addDocumentListener(new Typing(this::search));
     key("DOWN", index -> index + 1);
     key("UP", index -> index - 1);
     key("PAGE_DOWN", index -> index + PAGE);
@@ -176,23 +174,6 @@ public final class CommandFinder extends JDialog {
       int index = Math.max(0, Math.min(last, move.applyAsInt(found.getSelectedIndex())));
       found.setSelectedIndex(index);
       found.ensureIndexIsVisible(index);
-    }
-  }
-
-  private final class Typing implements DocumentListener {
-    @Override
-    public void insertUpdate(DocumentEvent e) {
-      search();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent e) {
-      search();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent e) {
-      // attributes of a plain text
     }
   }
 }

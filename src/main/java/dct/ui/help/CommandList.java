@@ -17,8 +17,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.ListSelectionModel;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.table.DefaultTableCellRenderer;
 
 /**
@@ -60,7 +58,7 @@ public final class CommandList extends JDialog {
     label.setLabelFor(field);
     field.setName("searchCommands");
     field.setToolTipText("Shows the lines that hold all these words");
-    field.getDocument().addDocumentListener(new Typing());
+    field.getDocument().addDocumentListener(new Typing(() -> model.search(field.getText())));
     JPanel line = new JPanel(new BorderLayout(8, 0));
     line.add(label, BorderLayout.WEST);
     line.add(field, BorderLayout.CENTER);
@@ -93,27 +91,6 @@ public final class CommandList extends JDialog {
       setFont(column == 0 ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
       setToolTipText(String.valueOf(value));
       return this;
-    }
-  }
-
-  private final class Typing implements DocumentListener {
-    private void search() {
-      model.search(field.getText());
-    }
-
-    @Override
-    public void insertUpdate(DocumentEvent e) {
-      search();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent e) {
-      search();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent e) {
-      // attributes of a plain text
     }
   }
 }

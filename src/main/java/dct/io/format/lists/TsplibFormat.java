@@ -28,7 +28,7 @@ public final class TsplibFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    return Rows.of(head).findFirst().filter(line -> HEADER.matcher(line).matches()).isPresent();
+    return Rows.startsWith(head, HEADER);
   }
 
   @Override

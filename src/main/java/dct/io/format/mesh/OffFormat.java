@@ -20,7 +20,7 @@ public final class OffFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    return Rows.of(head).findFirst().filter(line -> HEADER.matcher(line).matches()).isPresent();
+    return Rows.startsWith(head, HEADER);
   }
 
   @Override

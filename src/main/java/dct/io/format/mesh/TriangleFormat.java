@@ -19,8 +19,7 @@ import java.util.regex.Pattern;
  * left out.
  */
 public final class TriangleFormat implements Format {
-  private static final Pattern START =
-      Pattern.compile("[0-9]+[ \\t]+2[ \\t]+[0-9]+[ \\t]+[01][ \\t]*(#[^\\n]*)?\\r?\\n");
+  private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+2\\s+[0-9]+\\s+[01]");
 
   @Override
   public String title() {
@@ -29,7 +28,7 @@ public final class TriangleFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    return head.withoutComments().startsWith(START);
+    return Rows.startsWith(head, COUNTS);
   }
 
   @Override

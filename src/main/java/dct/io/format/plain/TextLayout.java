@@ -36,9 +36,8 @@ public final class TextLayout {
   }
 
   /**
-   * Whether a line with one whole number, behind this many vertices, is a line of counts.
-   *
-   * @throws BadInputException if it is that of another ring
+   * Whether a line with one whole number, behind this many vertices, is a line of counts: the first
+   * line, or the one behind a ring that is complete.
    */
   boolean isCount(double number, int vertices, int line) {
     boolean isNext = count >= 0 && vertices == counted;
@@ -110,7 +109,7 @@ public final class TextLayout {
   }
 
   /**
-   * Looks for counts that would be taken for a vertex, and for a count that is wrong.
+   * Looks for a count that is wrong, and for a header of numbers.
    *
    * @throws BadInputException if there is one
    */
@@ -125,18 +124,18 @@ public final class TextLayout {
       throw new BadInputException(name, countLine, fault + "; correct or remove the line");
     }
     if (count < 0 && startsWhole) {
-      checkFirst(points, lines[0]);
+      checkHeader(points, lines[0]);
     }
   }
 
-  private void checkFirst(Points points, int line) {
-    int x = (int) points.x(0);
-    int y = (int) points.y(0);
-    String mending =
-        "remove the line, give --skip 1, or write " + x + ".0 " + y + ".0 if it is a vertex";
-    if (x == 0 && y == 1 && startsWithComma && !moreWhole && points.size() > 1) {
+  private void checkHeader(Points points, int line) {
+    boolean isPair = points.x(0) == 0 && points.y(0) == 1;
+    if (isPair && startsWithComma && !moreWhole && points.size() > 1) {
       throw new BadInputException(
-          name, line, "this looks like a header that numbers the columns; " + mending);
+          name,
+          line,
+          "this looks like a header that numbers the columns; remove the line, give --skip 1, or"
+              + " write 0.0 1.0 if it is a vertex");
     }
   }
 
