@@ -1,70 +1,24 @@
 package dct.ui.dialog;
 
 import java.awt.Component;
-import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
-import java.awt.Insets;
 import java.util.Locale;
-import javax.swing.AbstractButton;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
-import javax.swing.JPanel;
 import javax.swing.JTextField;
 
 /** Questions below each other, asked in a dialog whose Enter key is OK. */
-public abstract class Form extends JPanel {
+public abstract class Form extends Fields {
   private static final long serialVersionUID = 1L;
-  private static final int GAP = 4;
-
-  private int rows;
-
-  protected Form() {
-    super(new GridBagLayout());
-  }
 
   /** The field that is answered first. */
   protected abstract JTextField first();
-
-  /** Adds a question; Alt with the letter leads to its answer. */
-  protected final void ask(
-      String question, char letter, String name, JComponent answer, String tip) {
-    JLabel label = new JLabel(question);
-    label.setDisplayedMnemonic(letter);
-    label.setLabelFor(answer);
-    answer.setName(name);
-    answer.setToolTipText(tip);
-    add(label, at(0, GridBagConstraints.LINE_START));
-    add(answer, at(1, GridBagConstraints.LINE_START));
-    rows++;
-  }
-
-  /** Adds a box to tick. */
-  protected final void offer(AbstractButton box, char letter, String name, String tip) {
-    box.setName(name);
-    box.setMnemonic(letter);
-    box.setToolTipText(tip);
-    add(box, at(1, GridBagConstraints.LINE_START));
-    rows++;
-  }
 
   /** Adds the button that copies the call of the program that does the same. */
   protected final void offerCopy(Runnable copy) {
     JButton button = new JButton("Copy as Command Line");
     button.addActionListener(e -> copy.run());
     offer(button, 'l', "copyCall", "Copies the dct command that does the same");
-  }
-
-  private GridBagConstraints at(int column, int anchor) {
-    GridBagConstraints at = new GridBagConstraints();
-    at.gridx = column;
-    at.gridy = rows;
-    at.anchor = anchor;
-    at.fill = column == 1 ? GridBagConstraints.HORIZONTAL : GridBagConstraints.NONE;
-    at.insets = new Insets(GAP, 0, GAP, column == 0 ? 3 * GAP : 0);
-    return at;
   }
 
   /** Asks, the first field ready to be typed over; whether OK was chosen. */

@@ -5,13 +5,11 @@ import dct.render.Figure;
 import dct.render.PictureFile;
 import dct.render.Scene;
 import dct.render.Theme;
+import dct.ui.dialog.Fields;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
-import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
-import java.awt.Insets;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
@@ -20,8 +18,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingWorker;
 
@@ -60,26 +56,12 @@ final class FigurePanel extends JPanel {
     this.scene = scene;
     this.yUp = yUp;
     setBorder(BorderFactory.createEmptyBorder(0, 2 * GAP, 0, 0));
-    JPanel fields = new JPanel(new GridBagLayout());
-    ask(
-        fields,
-        0,
-        "Shows:",
-        'h',
-        extent,
-        "extent",
-        "The window's part, or all, cropped, for a paper");
-    ask(
-        fields,
-        1,
-        "PNG scale:",
-        'g',
-        scale,
-        "scale",
-        "Pixels of a PNG; others are sharp at any size");
-    ask(fields, 2, "Colours:", 'o', theme, "theme", "Print is told apart in grey, too");
-    check(fields, 3, counts, 't', "counts", "Writes how many vertices are even and odd");
-    check(fields, 4, legend, 'l', "legend", "Says what colours and shapes stand for");
+    Fields fields = new Fields();
+    fields.ask("Shows:", 'h', "extent", extent, "The window's part, or all, cropped, for a paper");
+    fields.ask("PNG scale:", 'g', "scale", scale, "Pixels of a PNG; others are sharp at any size");
+    fields.ask("Colours:", 'o', "theme", theme, "Print is told apart in grey, too");
+    fields.offer(counts, 't', "counts", "Writes how many vertices are even and odd");
+    fields.offer(legend, 'l', "legend", "Says what colours and shapes stand for");
     add(fields, BorderLayout.NORTH);
     add(preview);
     extent.setSelectedIndex(last.extent);
@@ -92,40 +74,6 @@ final class FigurePanel extends JPanel {
     counts.addActionListener(e -> changed());
     legend.addActionListener(e -> changed());
     changed();
-  }
-
-  private static void ask(
-      JPanel fields,
-      int row,
-      String words,
-      char letter,
-      JComponent field,
-      String name,
-      String tip) {
-    JLabel label = new JLabel(words);
-    label.setDisplayedMnemonic(letter);
-    label.setLabelFor(field);
-    field.setName(name);
-    field.setToolTipText(tip);
-    fields.add(label, at(0, row));
-    fields.add(field, at(1, row));
-  }
-
-  private static void check(
-      JPanel fields, int row, JCheckBox box, char letter, String name, String tip) {
-    box.setMnemonic(letter);
-    box.setName(name);
-    box.setToolTipText(tip);
-    fields.add(box, at(1, row));
-  }
-
-  private static GridBagConstraints at(int column, int row) {
-    GridBagConstraints at = new GridBagConstraints();
-    at.gridx = column;
-    at.gridy = row;
-    at.anchor = GridBagConstraints.LINE_START;
-    at.insets = new Insets(2, column == 0 ? 0 : GAP, 2, 0);
-    return at;
   }
 
   /** The figure asked for; nothing if the window's part is. */
