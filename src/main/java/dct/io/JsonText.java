@@ -1,6 +1,5 @@
 package dct.io;
 
-import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
@@ -10,18 +9,15 @@ import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.io.format.PointColumns;
 import dct.io.text.BadInputException;
-import dct.io.text.LineReader;
+import dct.io.text.JsonSource;
 import dct.io.text.Shown;
 import dct.problem.verify.ClaimedEdges;
 import dct.problem.verify.ClaimedFlips;
 import dct.problem.verify.Claims;
-import java.io.BufferedReader;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -42,7 +38,7 @@ final class JsonText {
   private static final String FOLLOWED = "something follows the JSON object; remove it";
 
   private final String name;
-  private final LineReader lines;
+  private final JsonSource source;
   private final JsonReader json;
   private final Map<String, Object> values = new HashMap<>();
   private PointColumns points;
@@ -52,11 +48,8 @@ final class JsonText {
 
   private JsonText(String name, InputStream in) {
     this.name = name;
-    this.lines =
-        new LineReader(
-            new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder())));
-    this.json = new JsonReader(lines);
-    json.setStrictness(Strictness.STRICT);
+    this.source = new JsonSource(name, in);
+    this.json = source.json();
   }
 
   /**
@@ -71,16 +64,11 @@ final class JsonText {
     } catch (EOFException e) {
       throw text.fault("the JSON text ends too early; restore the rest of the file");
     } catch (MalformedJsonException e) {
-      throw text.fault(text.ended ? FOLLOWED : "this is not JSON" + text.place() + "; correct it");
+      throw text.fault(
+          text.ended ? FOLLOWED : "this is not JSON" + text.source.place() + "; correct it");
     } catch (CharacterCodingException e) {
       throw text.fault("the text is not UTF-8; save it as UTF-8");
     }
-  }
-
-  private String place() {
-    String path = json.getPath();
-    String place = path.substring(path.startsWith("$.") ? 2 : 1);
-    return place.isEmpty() ? "" : ", at " + Shown.word(place);
   }
 
   private Claims result() throws IOException {
@@ -161,7 +149,7 @@ final class JsonText {
     while (json.hasNext()) {
       require(JsonToken.BEGIN_ARRAY, POINT_WRONG);
       json.beginArray();
-      int line = lines.line();
+      int line = source.line();
       require(JsonToken.NUMBER, POINT_WRONG);
       double x = number();
       require(JsonToken.NUMBER, POINT_WRONG);
@@ -179,7 +167,7 @@ final class JsonText {
     while (json.hasNext()) {
       require(JsonToken.BEGIN_ARRAY, EDGE_WRONG);
       json.beginArray();
-      int line = lines.line();
+      int line = source.line();
       int u = vertex(EDGE_WRONG);
       int v = vertex(EDGE_WRONG);
       require(JsonToken.STRING, EDGE_WRONG);
@@ -197,7 +185,7 @@ final class JsonText {
     while (json.hasNext()) {
       require(JsonToken.BEGIN_ARRAY, FLIP_WRONG);
       json.beginArray();
-      int line = lines.line();
+      int line = source.line();
       int u = vertex(FLIP_WRONG);
       int v = vertex(FLIP_WRONG);
       int x = vertex(FLIP_WRONG);
@@ -228,6 +216,6 @@ final class JsonText {
   }
 
   private BadInputException fault(String fault) {
-    return new BadInputException(name, lines.line(), fault.replace("%s", place()));
+    return source.fault(fault.replace("%s", source.place()));
   }
 }

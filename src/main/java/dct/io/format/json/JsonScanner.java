@@ -1,6 +1,5 @@
 package dct.io.format.json;
 
-import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
@@ -8,14 +7,11 @@ import dct.core.Decimals;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
 import dct.io.text.BadInputException;
-import dct.io.text.LineReader;
+import dct.io.text.JsonSource;
 import dct.io.text.Shown;
-import java.io.BufferedReader;
 import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /** A stream of JSON, and the pieces of it that geometries are made of. */
@@ -23,18 +19,12 @@ final class JsonScanner {
   private static final int DEEPEST = 100;
   private static final String PAIR = "write a point as [x, y]";
 
-  private final String name;
-  private final LineReader lines;
+  private final JsonSource source;
   final JsonReader json;
 
   JsonScanner(Input input) {
-    name = input.name();
-    lines =
-        new LineReader(
-            new BufferedReader(
-                new InputStreamReader(input.in(), StandardCharsets.UTF_8.newDecoder()), 1 << 16));
-    json = new JsonReader(lines);
-    json.setStrictness(Strictness.STRICT);
+    source = new JsonSource(input.name(), input.in());
+    json = source.json();
     json.setNestingLimit(DEEPEST);
   }
 
@@ -55,20 +45,14 @@ final class JsonScanner {
       throw fault("the JSON text ends too early; restore the rest of the file");
     } catch (MalformedJsonException | IllegalStateException e) {
       String deep = String.valueOf(e.getMessage()).startsWith("Nesting limit") ? ", too deep" : "";
-      throw fault("this is not JSON as expected" + deep + place() + "; correct it");
+      throw fault("this is not JSON as expected" + deep + source.place() + "; correct it");
     } catch (CharacterCodingException e) {
       throw fault("the text is not UTF-8; save it as UTF-8");
     }
   }
 
-  private String place() {
-    String path = json.getPath();
-    String place = path.substring(path.startsWith("$.") ? 2 : 1);
-    return place.isEmpty() ? "" : ", at " + Shown.word(place);
-  }
-
   BadInputException fault(String fault) {
-    return new BadInputException(name, lines.line(), fault);
+    return source.fault(fault);
   }
 
   /** A finite number, written plainly or in quotation marks. */
@@ -76,7 +60,8 @@ final class JsonScanner {
     String text = json.nextString();
     double value = Decimals.parse(text);
     if (!Double.isFinite(value)) {
-      throw fault("\"" + Shown.word(text) + "\" is no finite number" + place() + "; correct it");
+      throw fault(
+          "\"" + Shown.word(text) + "\" is no finite number" + source.place() + "; correct it");
     }
     return value;
   }
@@ -122,7 +107,8 @@ final class JsonScanner {
     while (json.hasNext()) {
       int inner = array(into);
       if (!isFirst && inner != depth - 1) {
-        throw fault("points and lists of points stand side by side" + place() + "; part them");
+        throw fault(
+            "points and lists of points stand side by side" + source.place() + "; part them");
       }
       depth = inner + 1;
       isFirst = false;
@@ -138,10 +124,10 @@ final class JsonScanner {
   }
 
   private void pair(Nested into) throws IOException {
-    int line = lines.line();
+    int line = source.line();
     double x = number();
     if (!json.hasNext()) {
-      throw fault("a point has one number only" + place() + "; " + PAIR);
+      throw fault("a point has one number only" + source.place() + "; " + PAIR);
     }
     into.point(x, number(), line);
     while (json.hasNext()) {
@@ -152,7 +138,7 @@ final class JsonScanner {
 
   /** A point as an object. */
   private void object(Nested into) throws IOException {
-    int line = lines.line();
+    int line = source.line();
     double x = Double.NaN;
     double y = Double.NaN;
     json.beginObject();
@@ -165,7 +151,7 @@ final class JsonScanner {
     }
     json.endObject();
     if (Double.isNaN(x) || Double.isNaN(y)) {
-      throw fault("a point lacks x or y" + place() + "; write {\"x\": 1, \"y\": 2}");
+      throw fault("a point lacks x or y" + source.place() + "; write {\"x\": 1, \"y\": 2}");
     }
     into.point(x, y, line);
     into.depth = Math.max(into.depth, 1);
@@ -178,7 +164,7 @@ final class JsonScanner {
     }
     PointColumns columns = new PointColumns();
     for (int i = 0; i < x.length; i++) {
-      columns.add(x[i], y[i], lines.line());
+      columns.add(x[i], y[i], source.line());
     }
     return columns;
   }

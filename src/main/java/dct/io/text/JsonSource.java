@@ -1,0 +1,46 @@
+package dct.io.text;
+
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import java.io.BufferedReader;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+
+/** A text of JSON, read strictly as a stream, which knows the line that it is at. */
+public final class JsonSource {
+  private final String name;
+  private final LineReader lines;
+  private final JsonReader json;
+
+  /** The text of a stream in UTF-8 that messages call by this name. */
+  public JsonSource(String name, InputStream in) {
+    this.name = name;
+    InputStreamReader text = new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder());
+    lines = new LineReader(new BufferedReader(text, 1 << 16));
+    json = new JsonReader(lines);
+    json.setStrictness(Strictness.STRICT);
+  }
+
+  /** The stream of its tokens. */
+  public JsonReader json() {
+    return json;
+  }
+
+  /** The present line, from 1 on. */
+  public int line() {
+    return lines.line();
+  }
+
+  /** Where in its arrays and objects the stream is, for a message; empty at the top. */
+  public String place() {
+    String path = json.getPath();
+    String place = path.substring(path.startsWith("$.") ? 2 : 1);
+    return place.isEmpty() ? "" : ", at " + Shown.word(place);
+  }
+
+  /** An exception for the present line. */
+  public BadInputException fault(String fault) {
+    return new BadInputException(name, lines.line(), fault);
+  }
+}
