@@ -35,7 +35,7 @@ final class Summary {
         instance.size(),
         instance.domain().vertices(),
         instance.mergedRemark(),
-        solution.method().word(),
+        solution.methodWord(),
         made.edgeCount(),
         made.triangleCount());
   }

@@ -8,6 +8,7 @@ import dct.io.format.Choice;
 import dct.io.text.BadInputException;
 import dct.io.text.Shown;
 import dct.problem.Instance;
+import dct.problem.Method;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Verdict;
@@ -97,13 +98,18 @@ final class VerifyCommand extends Verb {
         verdict.outcome() == Outcome.TRUE ? "verified: " : "true as far as it could be verified: ");
     text.append(claims.points().size());
     text.append(' ').append(claims.domain().orElseThrow().vertices());
-    text.append(" triangulated by ").append(claims.text("algorithm").orElseThrow());
+    text.append(" triangulated by ").append(method(claims));
     text.append(", ").append(claims.whole("even").orElseThrow()).append(" even");
     text.append(", ").append(claims.whole("odd").orElseThrow()).append(" odd");
     for (Check check : verdict.checks()) {
       text.append(check.detail().isEmpty() ? "" : "; " + check.detail());
     }
     console().print(text.toString());
+  }
+
+  private static String method(Claims claims) {
+    String word = claims.text("algorithm").orElseThrow();
+    return word.equals(Method.UNKNOWN) ? "an unknown method" : word;
   }
 
   private static JsonObject json(String name, Verdict verdict) {

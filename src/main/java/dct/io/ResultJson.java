@@ -230,7 +230,7 @@ public final class ResultJson {
     DegreeCount degrees = solution.counts();
     json.name("input").value(solution.instance().name());
     json.name("kind").value(solution.instance().domain().word());
-    json.name("algorithm").value(solution.method().word());
+    json.name("algorithm").value(solution.methodWord());
     json.name("post").value(solution.post().word());
     json.name("vertices").value(triangulation.vertexCount());
     json.name("edges").value(triangulation.edgeCount());

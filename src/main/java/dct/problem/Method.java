@@ -61,6 +61,9 @@ public enum Method {
       "Section 2.2.6",
       "Triangulates the sites so that no circle through a triangle's corners holds a site");
 
+  /** What stands in files in place of {@link #word} where the method is not known. */
+  public static final String UNKNOWN = "unknown";
+
   /** What a method promises of every triangulation that it makes. */
   public enum Promise {
     /** No more than that it is one. */

@@ -18,7 +18,8 @@ import java.util.Optional;
  * immutable. It is what the window shows, what a result file stores and what a study counts.
  *
  * @param instance what was triangulated
- * @param method the method that made the first triangulation
+ * @param method the method that made the first triangulation; nothing if that was read from a file
+ *     that does not tell
  * @param triangulation the final triangulation
  * @param flips the triangulations before and after the flips of Scan-Flip or by hand, if there were
  *     any asked for; the one after them is the final one
@@ -28,7 +29,7 @@ import java.util.Optional;
  */
 public record Solution(
     Instance instance,
-    Method method,
+    Optional<Method> method,
     Triangulation triangulation,
     Optional<FlipResult> flips,
     Optional<Optimum> optimum,
@@ -51,6 +52,16 @@ public record Solution(
 
   /** A triangulation that the method has made. */
   public static Solution of(Instance instance, Method method, Triangulation made) {
+    return of(instance, Optional.of(method), made);
+  }
+
+  /** A triangulation that was read from a file which does not tell what made it. */
+  public static Solution read(Instance instance, Triangulation found) {
+    return of(instance, Optional.empty(), found);
+  }
+
+  /** A triangulation that a method has made, if it is known which. */
+  public static Solution of(Instance instance, Optional<Method> method, Triangulation made) {
     return new Solution(
         instance, method, made, Optional.empty(), Optional.empty(), SearchLimits.DEFAULT);
   }
@@ -129,6 +140,20 @@ public record Solution(
     Triangulation plain = best.triangulation().plain();
     Optimum found = new Optimum(plain, best.goal(), best.unmet(), best.bound(), best.interrupted());
     return new Solution(instance, method, plain, Optional.empty(), Optional.of(found), given);
+  }
+
+  /** The method's word in files, {@value Method#UNKNOWN} if it is not known. */
+  public String methodWord() {
+    return method.map(Method::word).orElse(Method.UNKNOWN);
+  }
+
+  /** The method's title, or else from which file the triangulation was read. */
+  public String methodTitle() {
+    return method.map(Method::title).orElseGet(() -> "Read from " + fileName(instance.name()));
+  }
+
+  private static String fileName(String path) {
+    return path.substring(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
   }
 
   /** What came after the method. */

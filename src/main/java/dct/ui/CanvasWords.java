@@ -55,7 +55,7 @@ final class CanvasWords {
     Optional<Result> result = document.result();
     return result
         .map(made -> made.title() + ": " + counts(made.solution()))
-        .or(() -> shown.solution().map(s -> s.method().title() + ": " + counts(s)))
+        .or(() -> shown.solution().map(s -> s.methodTitle() + ": " + counts(s)))
         .orElse("not triangulated");
   }
 

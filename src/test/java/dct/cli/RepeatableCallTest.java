@@ -109,6 +109,18 @@ class RepeatableCallTest {
   }
 
   @Test
+  void aTriangulationOfUnknownMethodIsNotRepeated() throws Exception {
+    Editor editor = saved(Domain.SITES);
+    Solution delaunay = start(editor, Method.DELAUNAY);
+    Solution read = Solution.read(delaunay.instance().named("a/b.off"), delaunay.triangulation());
+    make(editor, read);
+    assertThat(read.methodTitle()).isEqualTo("Read from b.off");
+    requireNone(editor, "What is shown began with the triangulation of a file");
+    make(editor, read.optimized(SearchLimits.DEFAULT, Progress.NONE));
+    requireNone(editor, "What is shown began with the triangulation of a file");
+  }
+
+  @Test
   void wishesAreReadFromTheirFile() throws Exception {
     Editor editor = saved(Domain.SITES);
     ParityGoal wishes = editor.document().wishes().with(2, Wish.ODD).with(9, Wish.ANY);

@@ -214,13 +214,13 @@ class VerifyCommandTest {
             POLYGON,
             none,
             j -> j.addProperty("algorithm", "magic"),
-            "the algorithm is none of monotone, ear-clipping, convex-even, convex-odd"),
+            "the algorithm is none of monotone, ear-clipping, convex-even, convex-odd or unknown"),
         lie(
             "algorithm of the other kind",
             sites,
             none,
             j -> j.addProperty("algorithm", "monotone"),
-            "the algorithm is none of delaunay"),
+            "the algorithm is none of delaunay or unknown"),
         lie(
             "unknown post",
             POLYGON,

@@ -78,12 +78,16 @@ class FlippedResultTest {
                 });
     Solution delaunay = Solution.of(sites(), Method.DELAUNAY, Progress.NONE);
     Solution best = delaunay.optimized(SearchLimits.DEFAULT, Progress.NONE);
+    Solution read = Solution.read(sites(), delaunay.triangulation());
     Solution odd =
         Solution.of(polygon().with(ParityGoal.allOdd(40)), Method.MONOTONE, Progress.NONE)
             .optimized(SearchLimits.DEFAULT, Progress.NONE);
     return Stream.concat(
         byMethod,
         Stream.of(
+            new Made("read from a file", read),
+            new Made("read, by hand", flipped(read)),
+            new Made("read, optimum", read.optimized(SearchLimits.DEFAULT, Progress.NONE)),
             new Made("optimum, by hand", flipped(best)),
             new Made("optimum, Scan-Flip of nothing", best.flipped(Progress.NONE)),
             new Made("most odd, by hand", flipped(odd)),
@@ -100,6 +104,7 @@ class FlippedResultTest {
     assertThat(verdict.outcome()).as(verdict.toString()).isEqualTo(Outcome.TRUE);
     Solution back = Restoration.of(claims, Progress.NONE);
     assertThat(Comparison.of(back.triangulation(), solution.triangulation()).isSame()).isTrue();
+    assertThat(back.method()).isEqualTo(solution.method());
     assertThat(back.post()).isEqualTo(solution.post());
     assertThat(back.counts()).isEqualTo(solution.counts());
     assertThat(back.countsBefore()).isEqualTo(solution.countsBefore());

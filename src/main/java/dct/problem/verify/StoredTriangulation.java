@@ -8,6 +8,7 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
 import dct.problem.Method;
+import java.util.Optional;
 
 /**
  * The triangulation that a result file holds, proven to be one from its points and edges alone.
@@ -26,7 +27,7 @@ final class StoredTriangulation {
   private final Points points;
   private final int n;
   private Domain domain;
-  private Method method;
+  private Optional<Method> method = Optional.empty(); // nothing if it is not known
   private Instance instance;
   private PlaneGraph graph;
   private boolean[] outer; // by half-edge: whether the outer face is on its left
@@ -49,12 +50,14 @@ final class StoredTriangulation {
     FalseClaim.unless(
         claims.hasEdges(),
         "the field \"edgeList\" is missing, these are points without a triangulation");
-    method =
-        Method.of(domain, claims.text("algorithm").orElse(""))
-            .orElseThrow(
-                () ->
-                    new FalseClaim(
-                        "the algorithm is none of " + String.join(", ", Method.words(domain))));
+    String word = claims.text("algorithm").orElse("");
+    method = Method.of(domain, word);
+    FalseClaim.unless(
+        method.isPresent() || word.equals(Method.UNKNOWN),
+        "the algorithm is none of "
+            + String.join(", ", Method.words(domain))
+            + " or "
+            + Method.UNKNOWN);
   }
 
   /**
@@ -185,8 +188,13 @@ final class StoredTriangulation {
     return claims.edges().line(e >> 1);
   }
 
-  Method method() {
+  /** The method that is named; nothing if it is said to be unknown. */
+  Optional<Method> method() {
     return method;
+  }
+
+  Domain domain() {
+    return domain;
   }
 
   Instance instance() {

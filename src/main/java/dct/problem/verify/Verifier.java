@@ -6,6 +6,7 @@ import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Instance;
+import dct.problem.Method;
 import dct.problem.Post;
 import dct.problem.verify.Verdict.Check;
 import dct.problem.verify.Verdict.Outcome;
@@ -87,7 +88,7 @@ public final class Verifier {
     post = claims.post();
     checkFields();
     long merged = claims.required("merged");
-    boolean possible = stored.method().domain() == Domain.SITES ? merged >= 0 : merged == 0;
+    boolean possible = stored.domain() == Domain.SITES ? merged >= 0 : merged == 0;
     FalseClaim.unless(possible, "the field \"merged\" cannot be " + merged);
   }
 
@@ -151,7 +152,8 @@ public final class Verifier {
   }
 
   private void checkKinds() {
-    boolean partitions = stored.method().hasPartition() && !post.isOptimized();
+    boolean partitions =
+        stored.method().filter(Method::hasPartition).isPresent() && !post.isOptimized();
     for (int i = 0; i < claims.edges().size(); i++) {
       EdgeKind kind = claims.edges().kind(i);
       boolean rim = stored.isRim(i);
@@ -222,10 +224,10 @@ public final class Verifier {
    * monotone piece behind a diagonal is convex or monotone too.
    */
   private void checkMethod() {
-    if (post.isOptimized()) {
+    if (post.isOptimized() || stored.method().isEmpty()) {
       return;
     }
-    switch (stored.method().promise()) {
+    switch (stored.method().get().promise()) {
       case TRIANGULATION -> {} // checked already
       case EMPTY_CIRCLES -> checkDelaunay();
       case MONOTONE_PIECES -> pieces().check(false);

@@ -100,7 +100,9 @@ public final class DocumentFile {
 
   /** Whether the window shows it of these points anyway. */
   private static boolean isAutomatic(Solution made) {
-    return made.method() == Method.DELAUNAY && made.flips().isEmpty() && made.optimum().isEmpty();
+    return made.method().equals(Optional.of(Method.DELAUNAY))
+        && made.flips().isEmpty()
+        && made.optimum().isEmpty();
   }
 
   private static Result result(Domain domain, Solution made) {
@@ -109,7 +111,7 @@ public final class DocumentFile {
   }
 
   private static String title(Solution made) {
-    String method = made.method().title();
+    String method = made.methodTitle();
     String plain = made.flips().isPresent() ? "Perform Flip after " + method : method;
     return made.optimum().map(best -> MostVertices.title(best.goal())).orElse(plain);
   }

@@ -41,7 +41,7 @@ public record ResultRow(
 
   /** The method that made the first triangulation. */
   public String method() {
-    return result.solution().method().title();
+    return result.solution().methodTitle();
   }
 
   /** Seconds that it took, if that was measured. */

@@ -78,7 +78,7 @@ public final class RepeatableCall {
         editor
             .document()
             .result()
-            .map(made -> made.solution().method())
+            .flatMap(made -> made.solution().method())
             .orElse(Method.byDefault(editor.domain()));
     return ProgramCall.triangulate(savedFile(editor), method).optimize("even", limits);
   }
@@ -94,17 +94,23 @@ public final class RepeatableCall {
       return ProgramCall.check(file, document.domain());
     }
     Solution solution = shown.get();
-    ProgramCall call = ProgramCall.triangulate(file, solution.method());
+    Method method = solution.method().orElseThrow(RepeatableCall::foreign);
+    ProgramCall call = ProgramCall.triangulate(file, method);
     if (solution.optimum().isPresent()) {
       return searched(call, solution, solution.optimum().get(), progress);
     }
-    Triangulation made = solution.method().run(solution.instance(), progress);
+    Triangulation made = method.run(solution.instance(), progress);
     boolean isFlipped = solution.flips().isPresent();
     Triangulation again = isFlipped ? ScanFlip.run(made, progress).after() : made;
     if (!isSame(again, solution.triangulation())) {
       throw severalSteps();
     }
     return isFlipped ? call.flip() : call;
+  }
+
+  private static NotRepeatableException foreign() {
+    return new NotRepeatableException(
+        "What is shown began with the triangulation of a file; no command makes that." + KEEP);
   }
 
   private static NotRepeatableException severalSteps() {
@@ -150,10 +156,11 @@ public final class RepeatableCall {
   private boolean beganWithTheMethod(Solution found, Progress progress) {
     Optional<Solution> start = making.get().before().map(Result::solution);
     return start.isEmpty()
-        || (start.get().method() == found.method()
+        || (start.get().method().equals(found.method())
             && start.get().flips().isEmpty()
             && start.get().optimum().isEmpty()
             && isSame(
-                found.method().run(start.get().instance(), progress), start.get().triangulation()));
+                found.method().orElseThrow().run(start.get().instance(), progress),
+                start.get().triangulation()));
   }
 }

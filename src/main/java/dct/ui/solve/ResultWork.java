@@ -96,7 +96,7 @@ public final class ResultWork {
         .result()
         .map(
             made ->
-                made.solution().flips().isEmpty() ? made.title() : made.solution().method().title())
+                made.solution().flips().isEmpty() ? made.title() : made.solution().methodTitle())
         .orElse(method.title());
   }
 
