@@ -69,7 +69,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
@@ -113,9 +112,9 @@ public final class MainWindow extends JFrame implements CommandWindow {
     workbench = new Workbench(canvas::viewport, this::say);
     status = new StatusBar(workbench.jobs());
     links.addDrawing(canvas);
-    results = new ResultFrames(workbench, this, canvas, links, area, this::folder);
-    resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
     files = new FileWork(this, workbench, session.recent(), this::showOpened);
+    results = new ResultFrames(workbench, this, canvas, links, area, files);
+    resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
     crossings = new CrossingWork(workbench, canvas);
     closing = new Closing(this, workbench, files, host, this::closeForGood);
     journals = Stream.of(Domain.values()).map(this::journal).toList();
@@ -187,10 +186,6 @@ public final class MainWindow extends JFrame implements CommandWindow {
     FlipListWork lists = new FlipListWork(this, desk, workbench.jobs(), files::folder);
     return FlipCommands.offer(
         commands, desk, lists, canvas, () -> workbench.isChosen(Domain.SITES));
-  }
-
-  private Optional<Path> folder() {
-    return files.folder();
   }
 
   private void layOut() {

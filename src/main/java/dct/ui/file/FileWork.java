@@ -1,9 +1,6 @@
 package dct.ui.file;
 
 import dct.core.triangulate.Domain;
-import dct.io.FileEnding;
-import dct.io.FileNames;
-import dct.io.FileStamp;
 import dct.io.format.Choice;
 import dct.io.format.Shapes;
 import dct.ui.canvas.CanvasPanel;
@@ -14,10 +11,10 @@ import dct.ui.dialog.ShapeChooser;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.document.Origin;
+import dct.ui.document.Result;
 import dct.ui.file.DocumentFile.Read;
 import dct.ui.session.RecentFiles;
 import dct.ui.workbench.Workbench;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -33,10 +30,7 @@ public final class FileWork {
   private final Workbench workbench;
   private final RecentFiles recent;
   private final Consumer<Boolean> shown;
-  private Optional<Path> folder = Optional.empty(); // used last
-
-  /** How an attempt to save ended; not well if another program has changed the file. */
-  private record Attempt(boolean isWritten, Optional<FileStamp> stamp) {}
+  private final Saving saving;
 
   /**
    * File work for a window.
@@ -48,6 +42,7 @@ public final class FileWork {
     this.workbench = workbench;
     this.recent = recent;
     this.shown = shown;
+    saving = new Saving(workbench.jobs(), recent);
   }
 
   /** Writes what this canvas shows to a picture that the user names. */
@@ -62,7 +57,7 @@ public final class FileWork {
         .active()
         .flatMap(Editor::origin)
         .map(origin -> origin.file().toAbsolutePath().getParent())
-        .or(() -> folder);
+        .or(saving::folder);
   }
 
   /** Begins an empty document of the chosen application. */
@@ -85,7 +80,7 @@ public final class FileWork {
   public void open(Path typed) {
     Domain otherwise = workbench.domain().orElse(Domain.POLYGON);
     open(typed, Choice.NONE.otherwise(otherwise));
-    used(typed);
+    saving.used(typed);
   }
 
   private void open(Path typed, Choice choice) {
@@ -100,10 +95,6 @@ public final class FileWork {
   private void choose(Path typed, Choice choice, Shapes shapes) {
     String title = "Open " + typed.getFileName();
     ShapeChooser.ask(window, title, shapes, choice).ifPresent(chosen -> open(typed, chosen));
-  }
-
-  private void used(Path file) {
-    folder = Optional.ofNullable(file.toAbsolutePath().getParent());
   }
 
   private void offer(Read read) {
@@ -177,11 +168,10 @@ public final class FileWork {
    */
   private void saveAll(Editor editor, Runnable then) {
     Runnable check = () -> SwingUtilities.invokeLater(() -> unlessLost(editor, then));
-    boolean kept = editor.origin().filter(o -> DocumentFile.keepsAll(o.file())).isPresent();
-    if (Unsaved.needsAll(editor) && !kept) {
-      saveAs(editor, check);
+    if (Unsaved.needsAll(editor)) {
+      saving.saveWhole(here(), editor, check);
     } else {
-      save(editor, check);
+      saving.save(here(), editor, check);
     }
   }
 
@@ -189,100 +179,43 @@ public final class FileWork {
    * Saves the chosen application's document to the file that it came from; asks if there is none.
    */
   void save() {
-    workbench.active().ifPresent(editor -> save(editor, () -> {}));
+    workbench.active().ifPresent(editor -> saving.save(here(), editor, () -> {}));
   }
 
   /** Asks where to save the chosen application's document, and saves it. */
   void saveAs() {
-    workbench.active().ifPresent(editor -> saveAs(editor, () -> {}));
-  }
-
-  private void save(Editor editor, Runnable then) {
-    Optional<Origin> origin = editor.origin();
-    if (origin.isPresent()) {
-      save(editor, origin.get().file(), origin.get().stamp(), then);
-    } else {
-      saveAs(editor, then);
-    }
-  }
-
-  private void saveAs(Editor editor, Runnable then) {
-    Optional<Path> typed = Chooser.DOCUMENTS.save(window, suggestion(editor), "Save As");
-    if (typed.isPresent()) {
-      Path file = FileNames.forSaving(typed.get(), editor.domain());
-      if (!Files.exists(file) || Chooser.confirmReplacing(window, file)) {
-        save(editor, file, Optional.empty(), then);
-      }
-    }
-  }
-
-  /** The file that the document has, but one that keeps all of it. */
-  private Path suggestion(Editor editor) {
-    boolean named = FileNames.domain(Path.of(editor.name())).isPresent();
-    int dot = editor.name().indexOf('.', 1);
-    String stem = dot > 0 ? editor.name().substring(0, dot) : "untitled";
-    String name = named ? editor.name() : stem + FileNames.suffix(editor.domain()) + ".txt";
-    Path file =
-        editor
-            .origin()
-            .map(Origin::file)
-            .orElseGet(() -> folder.map(f -> f.resolve(name)).orElse(Path.of(name)));
-    return Unsaved.needsAll(editor) ? FileEnding.JSON.insteadOf(file) : file;
+    workbench.active().ifPresent(editor -> saving.saveAs(here(), editor, () -> {}));
   }
 
   /**
-   * Saves to a file, but not over what another program has written to it.
-   *
-   * @param expected what the file should hold if it is there; nothing if that does not matter
+   * Saves the document with a result that is shown somewhere, to the file that the document came
+   * from if that keeps it all; asks else. A result that is no longer, or not yet, the one of the
+   * document goes into a file of its own.
    */
-  private void save(Editor editor, Path file, Optional<FileStamp> expected, Runnable then) {
-    Document document = editor.document();
-    used(file);
-    workbench
-        .jobs()
-        .write(
-            "Saving " + file.getFileName(),
-            progress -> {
-              Optional<FileStamp> there = expected.flatMap(stamp -> FileStamp.of(file));
-              return there.isEmpty() || there.equals(expected)
-                  ? new Attempt(true, DocumentFile.write(file, document, progress))
-                  : new Attempt(false, there);
-            },
-            attempt -> {
-              if (attempt.isWritten) {
-                saved(editor, document, new Origin(file, attempt.stamp), then);
-              } else {
-                // A dialog waits for its answer; the queue of jobs must not wait with it.
-                SwingUtilities.invokeLater(() -> askToOverwrite(editor, file, then));
-              }
-            });
+  public void save(Saving.Asked by, Result result, String name) {
+    ownerOf(result)
+        .ifPresentOrElse(
+            editor -> saving.saveWhole(by, editor, () -> {}),
+            () -> saving.saveCopy(by, result, name));
   }
 
-  private void saved(Editor editor, Document document, Origin origin, Runnable then) {
-    recent.add(origin.file());
-    String kept = "";
-    if (DocumentFile.keepsAll(origin.file())) {
-      editor.wholeSaved(document, origin);
-    } else {
-      editor.saved(document, origin);
-      kept =
-          Unsaved.needsAll(editor)
-              ? "; Save As with a name that ends in .json keeps wishes and triangulation, too"
-              : "";
-    }
-    workbench.say("Saved " + origin.file() + kept);
-    then.run();
+  /** Asks where to save the document with a result that is shown somewhere, and saves it. */
+  public void saveAs(Saving.Asked by, Result result, String name) {
+    ownerOf(result)
+        .ifPresentOrElse(
+            editor -> saving.saveWholeAs(by, editor, () -> {}),
+            () -> saving.saveCopy(by, result, name));
   }
 
-  private void askToOverwrite(Editor editor, Path file, Runnable then) {
-    String question =
-        file.getFileName()
-            + " has been changed by another program or window since it was opened or saved here."
-            + " Overwrite what is in it now?";
-    switch (Ask.choose(window, "File Changed", question, 2, "Overwrite", "Save As…", "Cancel")) {
-      case 0 -> save(editor, file, Optional.empty(), then);
-      case 1 -> saveAs(editor, then);
-      default -> {}
-    }
+  /** The editor of the document that has this result now. */
+  private Optional<Editor> ownerOf(Result result) {
+    return Stream.of(Domain.values())
+        .map(workbench::editor)
+        .filter(editor -> editor.document().result().equals(Optional.of(result)))
+        .findFirst();
+  }
+
+  private Saving.Asked here() {
+    return new Saving.Asked(window, workbench::say);
   }
 }

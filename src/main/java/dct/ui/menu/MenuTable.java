@@ -8,6 +8,8 @@ import java.util.stream.Stream;
 
 /** Which menu holds what. */
 public final class MenuTable {
+  private static final Plan RESULT_FILE =
+      Plan.of("File", "Save", "Save As", LINE, "Export Picture", LINE, "Close");
   private static final Plan PICTURE_FILE = Plan.of("File", "Export Picture", LINE, "Close");
 
   private static final List<String> LOOK =
@@ -176,7 +178,7 @@ public final class MenuTable {
   /** The menus of a frame that shows a result. */
   public static final List<Plan> RESULT =
       List.of(
-          PICTURE_FILE,
+          RESULT_FILE,
           Plan.of("Edit", "Undo", "Redo"),
           VIEW,
           REPLAY,

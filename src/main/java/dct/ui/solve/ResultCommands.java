@@ -4,10 +4,13 @@ import dct.ui.dialog.Ask;
 import dct.ui.document.Result;
 import dct.ui.explain.Explainer;
 import dct.ui.file.FileCommands;
+import dct.ui.file.FileWork;
 import dct.ui.file.PictureExport;
+import dct.ui.file.Saving;
 import dct.ui.job.Jobs;
 import dct.ui.menu.ViewCommands;
 import dct.ui.result.ResultView;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
 /** The commands of a view of a result. */
@@ -29,6 +32,29 @@ public final class ResultCommands {
         new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
     explainer.offer(view.commands());
     view.addListener(explainer::refresh);
+  }
+
+  /**
+   * Offers what saves the result of a view.
+   *
+   * @param said is told what was saved
+   */
+  static void offerSaving(ResultView view, FileWork files, Consumer<String> said) {
+    Saving.Asked by = new Saving.Asked(view, said);
+    view.commands()
+        .add(
+            "Save",
+            "ctrl S",
+            "Saves the drawing with this result; asks for a file if it has none that keeps both",
+            () -> view.result().ifPresent(r -> files.save(by, r, view.document())))
+        .enabledWhen(() -> view.result().isPresent());
+    view.commands()
+        .add(
+            "Save As",
+            "ctrl shift S",
+            "Saves the drawing with this result under a new name or replaces a file",
+            () -> view.result().ifPresent(r -> files.saveAs(by, r, view.document())))
+        .enabledWhen(() -> view.result().isPresent());
   }
 
   /** There is no status line to say that it is done. */

@@ -7,12 +7,12 @@ import dct.ui.command.CommandRegistry;
 import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
+import dct.ui.file.FileWork;
 import dct.ui.result.Arrangement;
 import dct.ui.result.ResultView;
 import dct.ui.result.ViewArea;
 import dct.ui.result.ViewHost;
 import dct.ui.workbench.Workbench;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -21,7 +21,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javax.swing.JFrame;
 
 /**
@@ -35,7 +34,7 @@ public final class ResultFrames {
   private final Links links;
   private final FrameHost frames;
   private final ViewArea area;
-  private final Supplier<Optional<Path>> folder;
+  private final FileWork files;
   private ViewHost host;
   private Consumer<CommandRegistry> more = commands -> {};
   private final List<ResultView> all = new ArrayList<>(); // also those of earlier documents
@@ -52,7 +51,7 @@ public final class ResultFrames {
    * @param canvas whose labels new views have
    * @param links between the canvas and the views
    * @param area where views are shown within the window
-   * @param folder where the document's file is
+   * @param files saves the documents
    */
   public ResultFrames(
       Workbench workbench,
@@ -60,8 +59,8 @@ public final class ResultFrames {
       CanvasPanel canvas,
       Links links,
       ViewArea area,
-      Supplier<Optional<Path>> folder) {
-    this.folder = folder;
+      FileWork files) {
+    this.files = files;
     this.workbench = workbench;
     this.canvas = canvas;
     this.links = links;
@@ -188,7 +187,9 @@ public final class ResultFrames {
 
   private void prepare(ResultView view) {
     ResultCommands.offer(view, workbench.jobs());
-    flips.put(view, new ResultFlips(view, workbench, () -> isOfHistory(view), folder));
+    ResultFlips flipping = new ResultFlips(view, workbench, () -> isOfHistory(view), files::folder);
+    flips.put(view, flipping);
+    ResultCommands.offerSaving(view, files, flipping::say);
     more.accept(view.commands());
     all.add(view);
   }
