@@ -24,6 +24,7 @@ import dct.ui.edit.SnapCommands;
 import dct.ui.edit.WishWork;
 import dct.ui.explain.BoundNote;
 import dct.ui.explain.Explainer;
+import dct.ui.file.ChangedFiles;
 import dct.ui.file.Closing;
 import dct.ui.file.FileCommands;
 import dct.ui.file.FileDrop;
@@ -102,6 +103,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient List<Journal> journals;
   private final transient CrossingWork crossings;
   private final transient Closing closing;
+  private final transient ChangedFiles changed;
   private transient Editor last; // what was shown before
 
   /** A window that is not visible yet, with no application chosen. */
@@ -117,6 +119,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
     crossings = new CrossingWork(workbench, canvas);
     closing = new Closing(this, workbench, files, host, this::closeForGood);
+    changed = new ChangedFiles(this, workbench, files::save, session.lane());
     journals = Stream.of(Domain.values()).map(this::journal).toList();
     studies = new StudyWork(this, canvas, links, results::open);
     explainer = new Explainer(canvas, workbench.jobs(), workbench::solution);
@@ -191,6 +194,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void layOut() {
     add(tools, BorderLayout.NORTH);
     JPanel centre = new JPanel(new BorderLayout());
+    centre.add(changed.bar(), BorderLayout.NORTH);
     centre.add(area, BorderLayout.CENTER);
     JPanel below = new JPanel(new BorderLayout());
     below.add(flips.panel(), BorderLayout.CENTER);
@@ -215,6 +219,11 @@ public final class MainWindow extends JFrame implements CommandWindow {
           }
 
           @Override
+          public void windowActivated(WindowEvent e) {
+            changed.look();
+          }
+
+          @Override
           public void windowDeactivated(WindowEvent e) {
             remember();
           }
@@ -228,6 +237,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     workbench.addListener(results::refresh);
     workbench.addListener(explainer::refresh);
     workbench.addListener(resultViews::refresh);
+    workbench.addListener(changed::refresh);
     workbench.jobs().setListener(new JobListener());
     setTransferHandler(new FileDrop(dropped -> open(dropped, host)));
   }
@@ -382,6 +392,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private void closeForGood() {
     remember();
     journals.forEach(Journal::end);
+    changed.end();
     results.dispose();
     studies.dispose();
     workbench.jobs().shutDown();

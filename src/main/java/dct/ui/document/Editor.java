@@ -134,6 +134,20 @@ public final class Editor {
     saved(document, to);
   }
 
+  /** Says whether the file no longer holds the document that it is from. */
+  public void setFileLost(boolean lost) {
+    if (lost != history.isFileLost()) {
+      history.setFileLost(lost);
+      changed();
+    }
+  }
+
+  /** Takes over what the file holds now, as a step that can be undone. */
+  public void reloaded(Document document, Origin from) {
+    perform(new Edit.Replace("Reload", document(), document));
+    wholeSaved(document, from);
+  }
+
   /** Applies an edit. */
   public void perform(Edit edit) {
     provisional = null;

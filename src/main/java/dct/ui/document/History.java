@@ -21,6 +21,7 @@ public final class History {
   private Points saved;
   private ParityGoal savedWishes; // they have a file of their own
   private Optional<Result> savedResult;
+  private boolean isFileLost; // the file no longer holds what was saved
 
   /**
    * An edit that was made.
@@ -117,6 +118,7 @@ public final class History {
 
   /** Says of which state the points were saved. */
   public void markSaved(Document document) {
+    isFileLost = false;
     saved = document.points();
   }
 
@@ -132,9 +134,19 @@ public final class History {
     savedResult = document.result();
   }
 
+  /** Says whether the file no longer holds what was saved there. */
+  public void setFileLost(boolean lost) {
+    isFileLost = lost;
+  }
+
+  /** Whether the file no longer holds what was saved there. */
+  public boolean isFileLost() {
+    return isFileLost;
+  }
+
   /** Whether anything would be lost with the document. */
   public boolean isUnsaved() {
-    return isChanged() || hasUnsavedWishes() || hasUnsavedResult();
+    return isFileLost || isChanged() || hasUnsavedWishes() || hasUnsavedResult();
   }
 
   /** Whether the points differ from the saved ones. */

@@ -178,7 +178,7 @@ public final class FileWork {
   /**
    * Saves the chosen application's document to the file that it came from; asks if there is none.
    */
-  void save() {
+  public void save() {
     workbench.active().ifPresent(editor -> saving.save(here(), editor, () -> {}));
   }
 

@@ -14,6 +14,9 @@ public final class Unsaved {
   /** One sentence, or two where not every file keeps it. */
   static String sentence(Editor editor) {
     History history = editor.history();
+    if (history.isFileLost()) {
+      return editor.name() + " is not in its file any more, which was changed or removed.";
+    }
     List<String> parts = new ArrayList<>();
     if (history.isChanged()) {
       parts.add("changes");

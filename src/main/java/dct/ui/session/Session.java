@@ -8,8 +8,9 @@ import java.nio.file.Path;
  * @param settings what is set
  * @param recent the files that were used last
  * @param journals of the drawings that are not saved
+ * @param lane where small work with files is done
  */
-public record Session(Settings settings, RecentFiles recent, Journals journals) {
+public record Session(Settings settings, RecentFiles recent, Journals journals, Lane lane) {
 
   /** The session of the user who runs the program. */
   public static Session ofUser() {
@@ -21,6 +22,9 @@ public record Session(Settings settings, RecentFiles recent, Journals journals) 
     Lane lane = new Lane();
     Settings settings = new Settings(folder.resolve("settings.properties"), lane);
     return new Session(
-        settings, new RecentFiles(settings), new Journals(folder.resolve("dct.journal"), lane));
+        settings,
+        new RecentFiles(settings),
+        new Journals(folder.resolve("dct.journal"), lane),
+        lane);
   }
 }
