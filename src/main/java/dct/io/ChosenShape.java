@@ -1,18 +1,20 @@
 package dct.io;
 
+import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
+import dct.io.format.NoTriangulation;
 import dct.io.format.PointColumns;
 import dct.io.format.SeveralShapes;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
+import dct.io.format.StoredFaces;
 import dct.io.format.plain.PlainFormat;
 import dct.io.text.BadInputException;
-import dct.problem.verify.Claims;
+import dct.problem.Solution;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Makes one document of the shapes of a file, as they were chosen. */
@@ -36,25 +38,53 @@ final class ChosenShape {
    * sites.
    *
    * @param yUp whether y grows upwards in such a file
+   * @throws NoTriangulation if it holds triangles that are no triangulation of its points, and
+   *     nothing says what the points are
    * @throws SeveralShapes if there are several and nothing says which
    * @throws BadInputException if there is none with the number that was picked
    */
-  static PointDocument of(String source, Shapes shapes, boolean yUp, Choice choice) {
-    return new ChosenShape(source, shapes, yUp, choice).document();
+  static PointDocument of(
+      String source, Shapes shapes, boolean yUp, Choice choice, Progress progress) {
+    return new ChosenShape(source, shapes, yUp, choice).document(progress);
   }
 
-  private PointDocument document() {
+  private PointDocument document(Progress progress) {
     Shape shape = shape();
     Optional<Domain> domain = choice.as().or(shape::domain);
-    boolean isRing = domain.orElse(choice.otherwise()) == Domain.POLYGON;
-    Shape kept = isRing && shape.edges().isEmpty() ? withoutRepeated(shape) : shape;
+    Domain is = domain.orElse(choice.otherwise());
+    if (shape.faces().isPresent()) {
+      Optional<PointDocument> whole = triangulated(shape, shape.faces().get(), is, progress);
+      if (whole.isPresent()) {
+        return whole.get();
+      }
+    }
+    return document(is == Domain.POLYGON ? withoutRepeated(shape) : shape, domain);
+  }
+
+  /** The document with its triangulation; nothing if that is none and the points are asked for. */
+  private Optional<PointDocument> triangulated(
+      Shape shape, StoredFaces faces, Domain is, Progress progress) {
+    FaceReading reading = new FaceReading(source, shape, faces, is);
+    try {
+      Solution solution = reading.solution(progress);
+      return Optional.of(document(reading.shape(), Optional.of(is)).triangulated(solution));
+    } catch (NoTriangulation fault) {
+      if (choice.as().isEmpty()) {
+        throw fault;
+      }
+      notes.add(fault.note());
+      return Optional.empty();
+    }
+  }
+
+  private PointDocument document(Shape kept, Optional<Domain> domain) {
     return new PointDocument(
         source,
         domain,
         choice.otherwise(),
         kept.points(),
         kept.lines(),
-        claims(kept, domain),
+        Optional.empty(),
         notes,
         isOwn(),
         yUp);
@@ -66,16 +96,6 @@ final class ChosenShape {
         && notes.isEmpty();
   }
 
-  private Optional<Claims> claims(Shape shape, Optional<Domain> domain) {
-    Domain is = domain.orElse(choice.otherwise());
-    return shape
-        .edges()
-        .map(
-            edges ->
-                new Claims(
-                    source, Map.of("kind", is.word()), shape.points(), shape.lines(), edges, null));
-  }
-
   private Shape shape() {
     List<Shape> all = shapes.shapes();
     if (choice.pick().isPresent()) {
@@ -84,7 +104,13 @@ final class ChosenShape {
     if (all.size() == 1) {
       return all.get(0);
     }
-    boolean areSites = all.stream().allMatch(shape -> shape.kind() == Shape.Kind.SITES);
+    if (choice.as().equals(Optional.of(Domain.SITES)) && haveSamePoints(all)) {
+      notes.add("Only the points are read, and none of their " + all.size() + " triangulations");
+      return all.get(0).withoutFaces();
+    }
+    boolean areTriangulated = all.stream().anyMatch(shape -> shape.faces().isPresent());
+    boolean areSites =
+        !areTriangulated && all.stream().allMatch(shape -> shape.kind() == Shape.Kind.SITES);
     if (areSites || choice.as().equals(Optional.of(Domain.SITES))) {
       return joined(all);
     }
@@ -99,6 +125,10 @@ final class ChosenShape {
           source, 0, sizes + ", none with the number " + number + "; pick one from 1 to " + count);
     }
     return shapes.shapes().get(number - 1);
+  }
+
+  private static boolean haveSamePoints(List<Shape> all) {
+    return all.stream().allMatch(shape -> shape.points() == all.get(0).points());
   }
 
   private static Shape joined(List<Shape> all) {

@@ -38,6 +38,7 @@ public final class PointDocument {
   private final List<String> notes;
   private final boolean own;
   private final boolean yUp;
+  private final Optional<Solution> found; // of a foreign file, which makes no claims
 
   PointDocument(
       String source,
@@ -49,6 +50,20 @@ public final class PointDocument {
       List<String> notes,
       boolean own,
       boolean yUp) {
+    this(source, declared, otherwise, points, lines, claims, notes, own, yUp, Optional.empty());
+  }
+
+  private PointDocument(
+      String source,
+      Optional<Domain> declared,
+      Domain otherwise,
+      Points points,
+      int[] lines,
+      Optional<Claims> claims,
+      List<String> notes,
+      boolean own,
+      boolean yUp,
+      Optional<Solution> found) {
     this.source = source;
     this.declared = declared;
     this.domain = declared.orElse(otherwise);
@@ -58,6 +73,13 @@ public final class PointDocument {
     this.notes = List.copyOf(notes);
     this.own = own;
     this.yUp = yUp;
+    this.found = found;
+  }
+
+  /** The same with a triangulation of its points that the file holds. */
+  PointDocument triangulated(Solution solution) {
+    return new PointDocument(
+        source, declared, domain, points, lines, claims, notes, own, yUp, Optional.of(solution));
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
@@ -164,7 +186,8 @@ public final class PointDocument {
    */
   public Optional<Solution> solution(Progress progress) {
     try {
-      return claims.filter(Claims::hasEdges).map(said -> Restoration.of(said, progress));
+      return found.or(
+          () -> claims.filter(Claims::hasEdges).map(said -> Restoration.of(said, progress)));
     } catch (FalseClaim e) {
       throw falseClaim(e.line(), e.getMessage());
     }

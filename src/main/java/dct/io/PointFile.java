@@ -46,7 +46,7 @@ public final class PointFile {
     Path file = FileNames.forOpening(typed);
     Choice named =
         choice.as().isPresent() ? choice : FileNames.domain(file).map(choice::as).orElse(choice);
-    return open(file, progress, (name, in) -> read(name, in, Optional.of(file), named));
+    return open(file, progress, (name, in) -> read(name, in, Optional.of(file), named, progress));
   }
 
   /** The same where name and content tell what the points are. */
@@ -89,7 +89,7 @@ public final class PointFile {
    * @throws BadInputException if it holds no points
    */
   public static PointDocument read(String name, InputStream in, Choice choice) throws IOException {
-    return read(name, in, Optional.empty(), choice);
+    return read(name, in, Optional.empty(), choice, Progress.NONE);
   }
 
   /**
@@ -143,7 +143,8 @@ public final class PointFile {
     return read(name, in, Choice.NONE);
   }
 
-  private static PointDocument read(String name, InputStream in, Optional<Path> file, Choice choice)
+  private static PointDocument read(
+      String name, InputStream in, Optional<Path> file, Choice choice, Progress progress)
       throws IOException {
     return recognized(
         name,
@@ -151,7 +152,7 @@ public final class PointFile {
         file,
         choice.columns(),
         claims -> PointDocument.of(claims, choice),
-        (format, shapes) -> ChosenShape.of(name, shapes, format.yUp(), choice));
+        (format, shapes) -> ChosenShape.of(name, shapes, format.yUp(), choice, progress));
   }
 
   /**

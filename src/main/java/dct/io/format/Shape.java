@@ -2,7 +2,6 @@ package dct.io.format;
 
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
-import dct.problem.verify.ClaimedEdges;
 import java.util.Optional;
 
 /**
@@ -17,7 +16,7 @@ public final class Shape {
   private final String label;
   private final Points points;
   private final int[] lines;
-  private final Optional<ClaimedEdges> edges;
+  private final Optional<StoredFaces> faces;
 
   /**
    * A shape.
@@ -26,14 +25,14 @@ public final class Shape {
    * @param label what lists call it: a name that stands in the file; may be empty
    * @param points the points in the order of the file
    * @param lines the line of each point, from 1 on; it is not copied
-   * @param edges the edges of a triangulation of the points, if the file holds one
+   * @param faces a triangulation of the points, if the file holds one
    */
-  public Shape(Kind kind, String label, Points points, int[] lines, Optional<ClaimedEdges> edges) {
+  public Shape(Kind kind, String label, Points points, int[] lines, Optional<StoredFaces> faces) {
     this.kind = kind;
     this.label = label;
     this.points = points;
     this.lines = lines;
-    this.edges = edges;
+    this.faces = faces;
   }
 
   /** What the points of a shape are. */
@@ -61,7 +60,12 @@ public final class Shape {
     }
   }
 
-  /** A shape without edges. */
+  /** The same without its triangulation. */
+  public Shape withoutFaces() {
+    return new Shape(kind, label, points, lines, Optional.empty());
+  }
+
+  /** A shape that is not triangulated. */
   public static Shape of(Kind kind, String label, PointColumns columns) {
     return new Shape(kind, label, columns.points(), columns.lines(), Optional.empty());
   }
@@ -91,9 +95,9 @@ public final class Shape {
     return lines[i];
   }
 
-  /** The edges of a triangulation of the points, if the file holds one. */
-  public Optional<ClaimedEdges> edges() {
-    return edges;
+  /** The triangulation of the points that the file says it holds, if it holds one. */
+  public Optional<StoredFaces> faces() {
+    return faces;
   }
 
   /** What the shape is said to be; nothing if the file does not tell. */
@@ -110,6 +114,7 @@ public final class Shape {
     int n = points.size();
     boolean isList = kind == Kind.SITES || kind == Kind.POINTS;
     String what = isList ? n + " " + kind.word() : kind.word() + " of " + n + " vertices";
-    return label.isEmpty() ? what : label + ", " + what;
+    String all = what + (faces.isPresent() ? ", triangulated" : "");
+    return label.isEmpty() ? all : label + ", " + all;
   }
 }

@@ -165,7 +165,7 @@ final class JsonGeometry {
     for (int i = first; i < shapes.size(); i++) {
       Shape shape = shapes.get(i);
       if (shape.label().isEmpty()) {
-        shapes.set(i, new Shape(shape.kind(), name, shape.points(), shape.lines(), shape.edges()));
+        shapes.set(i, new Shape(shape.kind(), name, shape.points(), shape.lines(), shape.faces()));
       }
     }
   }

@@ -5,13 +5,15 @@ import dct.io.format.PointColumns;
 import dct.io.format.Rows;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
+import dct.io.format.TriangleList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
 /**
  * The vertices and faces of a mesh as they are read: one face alone is a ring, polylines are paths,
- * and of several faces the vertices are taken as sites.
+ * and of several faces the vertices are taken as sites, or as a polygon if the faces are triangles
+ * that make one.
  */
 final class Mesh {
   private final PointColumns vertices = new PointColumns();
@@ -19,6 +21,7 @@ final class Mesh {
   private final List<String> notes = new ArrayList<>();
   private int[] face = new int[0]; // the first one
   private int faces;
+  private final TriangleList triangles = new TriangleList();
   private int segments; // polylines of two vertices
   private double height; // of the first vertex
   private boolean isUneven;
@@ -37,9 +40,12 @@ final class Mesh {
     vertices.add(rows.number(word), rows.number(word + 1), rows.line());
   }
 
-  void face(int[] corners) {
+  void face(int[] corners, int line) {
     if (faces++ == 0) {
       face = corners;
+    }
+    if (corners.length == 3) {
+      triangles.add(corners[0], corners[1], corners[2], line);
     }
   }
 
@@ -87,6 +93,9 @@ final class Mesh {
       }
       return List.of(
           Shape.of(Shape.Kind.RING, "", along(face, vertices.points(), vertices.lines())));
+    }
+    if (faces > 1 && triangles.size() == faces && !isUneven) {
+      return List.of(Triangulated.shape("", vertices, triangles));
     }
     if (faces > 1) {
       notes.add(faces + " faces are left out, their vertices are read as sites");

@@ -38,7 +38,7 @@ public final class ObjFormat implements Format {
       String keyword = rows.words().get(0);
       switch (keyword) {
         case "v" -> mesh.vertex(rows, 1);
-        case "f" -> mesh.face(corners(rows, mesh.size(), 3));
+        case "f" -> mesh.face(corners(rows, mesh.size(), 3), rows.line());
         case "l" -> mesh.polyline(corners(rows, mesh.size(), 2));
         default -> unknown += KNOWN.contains(keyword) ? 0 : 1;
       }

@@ -45,7 +45,7 @@ public final class OffFormat implements Format {
     }
     for (int f = 0; f < faces; f++) {
       rows.next(f, faces, "faces");
-      mesh.face(face(rows, vertices));
+      mesh.face(face(rows, vertices), rows.line());
     }
     if (rows.next()) {
       throw rows.fault("the file goes on behind its last face; correct the counts");

@@ -7,7 +7,6 @@ import dct.io.format.PointColumns;
 import dct.io.format.Rows;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
-import dct.io.text.Shown;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +19,7 @@ import java.util.regex.Pattern;
  */
 public final class TriangleFormat implements Format {
   private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+2\\s+[0-9]+\\s+[01]");
+  private static final String CURE = "correct the segment";
 
   @Override
   public String title() {
@@ -35,33 +35,17 @@ public final class TriangleFormat implements Format {
   public Shapes read(Input input) throws IOException {
     Rows rows = new Rows(input);
     rows.next(0, 1, "counts");
-    int n = rows.count(0);
-    if (n == 0) {
-      throw rows.fault(
-          "the vertices stand in a file .node of the same name; open that, or put them in here");
-    }
-    int extra = rows.count(2) + rows.count(3);
-    PointColumns points = new PointColumns();
-    int first = 0;
-    for (int v = 0; v < n; v++) {
-      rows.next(v, n, "vertices");
-      if (v == 0) {
-        first = rows.count(0);
-      }
-      if (rows.count(0) != first + v || first > 1) {
-        throw rows.fault("the vertices are not numbered in turn from 0 or 1 on; number them so");
-      }
-      points.add(rows.number(1), rows.number(2), rows.line());
-    }
+    NodeList nodes = NodeList.read(rows);
     List<String> notes = new ArrayList<>();
-    if (extra > 0) {
+    if (nodes.hasMore()) {
       notes.add("Attributes and markers of the vertices are left out");
     }
-    return new Shapes(title(), shapes(rows, points, first, notes), notes);
+    return new Shapes(title(), shapes(rows, nodes, notes), notes);
   }
 
-  private static List<Shape> shapes(Rows rows, PointColumns points, int first, List<String> notes)
+  private static List<Shape> shapes(Rows rows, NodeList nodes, List<String> notes)
       throws IOException {
+    PointColumns points = nodes.points();
     Shape sites = Shape.of(Shape.Kind.SITES, "", points);
     if (!rows.next() || rows.count(0) == 0) {
       return List.of(sites);
@@ -70,7 +54,7 @@ public final class TriangleFormat implements Format {
     Chains chains = new Chains(points.size());
     for (int s = 0; s < segments; s++) {
       rows.next(s, segments, "segments");
-      chains.add(vertex(rows, 1, first, points), vertex(rows, 2, first, points));
+      chains.add(nodes.vertex(rows, 1, CURE), nodes.vertex(rows, 2, CURE));
     }
     PointColumns holes = new PointColumns();
     int count = rows.next() ? rows.count(0) : 0;
@@ -87,14 +71,5 @@ public final class TriangleFormat implements Format {
       notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
     }
     return rings.isEmpty() ? List.of(sites) : rings;
-  }
-
-  private static int vertex(Rows rows, int word, int first, PointColumns points) {
-    int v = rows.count(word) - first;
-    if (v < 0 || v >= points.size()) {
-      throw rows.fault(
-          "there is no vertex " + Shown.word(rows.words().get(word)) + "; correct the segment");
-    }
-    return v;
   }
 }

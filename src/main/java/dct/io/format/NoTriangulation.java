@@ -1,0 +1,41 @@
+package dct.io.format;
+
+import dct.core.triangulate.Domain;
+import dct.io.text.BadInputException;
+import java.util.Locale;
+
+/** A file holds triangles, or edges, that are no triangulation of its points. */
+public final class NoTriangulation extends BadInputException {
+  private static final long serialVersionUID = 1L;
+
+  private final String note;
+
+  /**
+   * Says why.
+   *
+   * @param what what is none, as {@code triangles}
+   * @param domain what the points are taken for
+   * @param line where it shows, from 1 on
+   * @param why a clause
+   */
+  public NoTriangulation(String file, String what, Domain domain, int line, String why) {
+    super(file, line, clause(what, domain) + why + "; read its points alone with --as points");
+    this.note =
+        String.format(
+            Locale.ROOT,
+            "Line %d: %s%s; only its points are read",
+            line,
+            clause(what, domain),
+            why);
+  }
+
+  private static String clause(String what, Domain domain) {
+    String whole = domain == Domain.POLYGON ? "polygon" : "sites";
+    return "its " + what + " are no triangulation of its " + whole + ": ";
+  }
+
+  /** The same as a note, where the points are wanted all the same. */
+  public String note() {
+    return note;
+  }
+}

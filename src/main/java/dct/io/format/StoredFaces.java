@@ -1,0 +1,31 @@
+package dct.io.format;
+
+import dct.problem.verify.ClaimedEdges;
+import java.util.Optional;
+
+/**
+ * The triangulation that a file says it holds of the points of a shape. That it is one has not been
+ * checked; ends of edges may be numbers of vertices that there are not.
+ *
+ * @param what what it is given by, as {@code triangles} or {@code edges}
+ * @param edges its edges
+ * @param count the number of its triangles; 0 if the file does not list them
+ * @param rim the vertices along the edges with one triangle, from the lowest number on, if these
+ *     edges are one ring through every vertex; otherwise empty
+ * @param fault why the triangles cannot be a triangulation, if that is known already
+ */
+public record StoredFaces(
+    String what, ClaimedEdges edges, int count, int[] rim, Optional<Fault> fault) {
+
+  /**
+   * What is wrong.
+   *
+   * @param line where, from 1 on
+   */
+  public record Fault(int line, String message) {}
+
+  /** Edges of which no triangles are listed. */
+  public static StoredFaces of(ClaimedEdges edges) {
+    return new StoredFaces("edges", edges, 0, new int[0], Optional.empty());
+  }
+}

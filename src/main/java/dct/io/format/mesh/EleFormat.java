@@ -1,0 +1,111 @@
+package dct.io.format.mesh;
+
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.Input;
+import dct.io.format.Rows;
+import dct.io.format.Shapes;
+import dct.io.format.TriangleList;
+import dct.io.text.BadInputException;
+import dct.io.text.PlainText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * Triangles of Shewchuk's Triangle ({@code .ele}); their vertices stand beside them in a file of
+ * the same name that ends in {@code .node} or {@code .poly}.
+ */
+public final class EleFormat implements Format {
+  private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+[36]\\s+[0-9]+");
+  private static final Pattern TRIANGLE = Pattern.compile("[01](\\s+[0-9]+){3}(\\s.*)?");
+  private static final Pattern ENDING = Pattern.compile("(?i)(\\.ele)?(\\.gz)?$");
+  private static final String CURE = "correct the triangle";
+
+  @Override
+  public String title() {
+    return "Triangle";
+  }
+
+  @Override
+  public boolean fits(Head head) {
+    List<String> rows = Rows.of(head).limit(2).toList();
+    return rows.size() == 2
+        && COUNTS.matcher(rows.get(0)).matches()
+        && TRIANGLE.matcher(rows.get(1)).matches();
+  }
+
+  @Override
+  public Shapes read(Input input) throws IOException {
+    Rows rows = new Rows(input);
+    rows.next(0, 1, "counts");
+    int count = rows.count(0);
+    if (rows.count(1) != 3) {
+      throw rows.fault("the triangles have 6 nodes each; make them anew without the option -o2");
+    }
+    List<String> notes = new ArrayList<>();
+    if (rows.count(2) > 0) {
+      notes.add("Attributes of the triangles are left out");
+    }
+    NodeList nodes = vertices(input, rows, notes);
+    TriangleList triangles = new TriangleList();
+    for (int t = 0; t < count; t++) {
+      rows.next(t, count, "triangles");
+      triangles.add(
+          nodes.vertex(rows, 1, CURE),
+          nodes.vertex(rows, 2, CURE),
+          nodes.vertex(rows, 3, CURE),
+          rows.line());
+    }
+    if (rows.next()) {
+      throw rows.fault("the file goes on behind its last triangle; correct the count");
+    }
+    return new Shapes(title(), List.of(Triangulated.shape("", nodes.points(), triangles)), notes);
+  }
+
+  private static NodeList vertices(Input input, Rows rows, List<String> notes) throws IOException {
+    Path file =
+        input
+            .file()
+            .orElseThrow(
+                () ->
+                    rows.fault(
+                        "the vertices of the triangles stand in a file .node, and this is none;"
+                            + " give the name of the file .ele"));
+    Path beside =
+        Stream.of(".node", ".node.gz", ".poly", ".poly.gz")
+            .map(ending -> sibling(file, ending))
+            .filter(Files::isRegularFile)
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    rows.fault(
+                        "the vertices of the triangles stand in "
+                            + sibling(file, ".node").getFileName()
+                            + ", and there is no such file beside this one; put it there"));
+    try (InputStream in = Files.newInputStream(beside)) {
+      String name = beside.toString();
+      Rows lines = new Rows(Input.of(name, PlainText.of(name, in)));
+      lines.next(0, 1, "counts");
+      if (lines.count(1) != 2) {
+        throw new BadInputException(
+            name, lines.line(), "the vertices are not of the plane; give two coordinates each");
+      }
+      NodeList nodes = NodeList.read(lines);
+      if (nodes.hasMore()) {
+        notes.add("Attributes and markers of the vertices are left out");
+      }
+      return nodes;
+    }
+  }
+
+  private static Path sibling(Path file, String ending) {
+    String name = file.getFileName().toString();
+    return file.resolveSibling(ENDING.matcher(name).replaceFirst("") + ending);
+  }
+}

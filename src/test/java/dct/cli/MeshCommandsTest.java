@@ -1,0 +1,70 @@
+package dct.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the verbs make of a file that holds a triangulation of another program. */
+class MeshCommandsTest {
+  private static final String NODES = "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 2\n";
+  private static final String TRIANGLES = "4 3 0\n1 1 2 5\n2 2 3 5\n3 3 4 5\n4 4 1 5\n";
+
+  @TempDir private Path folder;
+  private Path mesh;
+
+  @BeforeEach
+  void write() throws IOException {
+    Files.writeString(folder.resolve("m.node"), NODES);
+    mesh = Files.writeString(folder.resolve("m.ele"), TRIANGLES);
+  }
+
+  @Test
+  void its_result_is_verified() {
+    Path result = folder.resolve("r.json");
+    assertThat(CliRun.of("convert", mesh, "-o", result).done().err()).isEmpty();
+    assertThat(CliRun.of("verify", result, "--input", mesh).done().out())
+        .contains("verified: 5 sites triangulated by an unknown method, 1 even, 4 odd");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a.off", "a.obj", "a.ele", "a.json"})
+  void a_format_that_can_hold_it_keeps_it(String name) throws IOException {
+    Path file = folder.resolve(name);
+    Path again = folder.resolve("again.json");
+    CliRun.of("convert", mesh, "-o", file);
+    CliRun.of("convert", file, "-o", again).done();
+    assertThat(Files.readString(again))
+        .contains("\"algorithm\": \"unknown\"", "\"even\": 1,", "[0, 1, \"boundary\"]");
+  }
+
+  @Test
+  void a_format_that_cannot_says_so() {
+    Path text = folder.resolve("a.txt");
+    assertThat(CliRun.of("convert", mesh, "-o", text).err())
+        .contains("a.txt: holds the points alone; the triangulation is left out, use .json");
+  }
+
+  @Test
+  void its_points_are_triangulated_anew() {
+    assertThat(CliRun.of("triangulate", mesh).done().out()).contains("5 sites, delaunay: 8 edges");
+  }
+
+  @Test
+  void points_alone_are_read_where_its_triangles_are_wrong() throws IOException {
+    Files.writeString(mesh, TRIANGLES.replace("4 4 1 5", "4 4 1 2"));
+    CliRun wrong = CliRun.of("convert", mesh, "-o", folder.resolve("r.json"));
+    assertThat(wrong.status()).isEqualTo(CommandLineProgram.BAD_INPUT);
+    assertThat(wrong.err())
+        .startsWith(mesh + ":5: its triangles are no triangulation of its sites: the triangle lies")
+        .endsWith("; read its points alone with --as points\n");
+    assertThat(CliRun.of("triangulate", mesh, "--as", "points").err())
+        .contains("Line 5: its triangles are no triangulation", "only its points are read");
+  }
+}
