@@ -13,6 +13,7 @@ import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.Frame;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
@@ -24,6 +25,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
+import javax.swing.JFrame;
 import javax.swing.JOptionPane;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.MouseButton;
@@ -160,12 +162,43 @@ abstract class WindowTest {
     settle();
   }
 
-  /** After a dialog the focus comes back some time later; in memory sometimes only by a click. */
+  /** Gives the canvas the keyboard, which after a dialog comes back some time later. */
   void takeKeyboard() {
-    if (!onEventThread(window::isFocused)) {
+    if (!askForKeyboard()) {
       click(() -> robot.click(canvas(), MouseButton.MIDDLE_BUTTON)); // pans by nothing
+      await("the canvas has the keyboard", () -> askForKeyboard() || forgetClosedDialog());
     }
-    robot.focusAndWaitForFocusGain(canvas());
+  }
+
+  private boolean askForKeyboard() {
+    onEventThread(canvas()::requestFocusInWindow);
+    robot.waitForIdle();
+    return onEventThread(() -> window.isFocused() && canvas().isFocusOwner());
+  }
+
+  /**
+   * In memory the focus sometimes stays in a dialog that is closed, and no click brings it back; it
+   * comes back from a window that opens and closes.
+   */
+  private boolean forgetClosedDialog() {
+    Window focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
+    if (focused != null && !focused.isShowing()) {
+      JFrame other =
+          onEventThread(
+              () -> {
+                JFrame opened = new JFrame();
+                opened.setVisible(true);
+                return opened;
+              });
+      robot.waitForIdle();
+      onEventThread(
+          () -> {
+            other.dispose();
+            return null;
+          });
+      robot.waitForIdle();
+    }
+    return askForKeyboard();
   }
 
   /** Types a text in place of what a field holds. */
