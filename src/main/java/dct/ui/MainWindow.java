@@ -155,7 +155,10 @@ public final class MainWindow extends JFrame implements CommandWindow {
     CopyAsCommands.offer(commands, workbench, canvas);
     SnapCommands.offer(commands, this, workbench.snap(), session.settings());
     crossings.offer(commands);
-    FileCommands.offer(commands, files, canvas, session.recent(), host::openEmpty, this::close);
+    FileCommands.offer(commands, files, canvas, session.recent());
+    commands.add("New Window", "ctrl shift N", "Opens another, empty window", host::openEmpty);
+    commands.add("Close Window", "ctrl W", "Closes this window", this::close);
+    commands.add("Exit", "ctrl Q", "Closes the application", () -> host.exit(this));
     CallCopy calls = new CallCopy(this, workbench);
     SearchOptions searches = new SearchOptions(calls::copySearch);
     TriangulateCommands.offer(
@@ -389,7 +392,18 @@ public final class MainWindow extends JFrame implements CommandWindow {
     closing.begin();
   }
 
-  private void closeForGood() {
+  /** Whether closing would lose anything or end what goes on. */
+  boolean hasSomethingToLose() {
+    return closing.hasSomethingToLose();
+  }
+
+  /** Asks as before closing this window, and does something then, unless the answer is Cancel. */
+  void agree(Runnable then) {
+    closing.agree(then);
+  }
+
+  /** Closes this window and its results; asks nothing. */
+  void closeForGood() {
     remember();
     journals.forEach(Journal::end);
     changed.end();

@@ -1,5 +1,7 @@
 package dct.ui;
 
+import dct.ui.dialog.Ask;
+import dct.ui.dialog.Memory;
 import dct.ui.dialog.Placement;
 import dct.ui.file.WindowHost;
 import dct.ui.session.Orphan;
@@ -8,6 +10,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
@@ -20,6 +23,7 @@ public final class Windows implements WindowHost {
   /** No window yet. */
   public Windows(Session session) {
     this.session = session;
+    Memory.keepIn(session.settings());
   }
 
   /** Opens an empty window, a little lower and further right than the one opened before. */
@@ -50,6 +54,37 @@ public final class Windows implements WindowHost {
   @Override
   public void open(List<Path> files) {
     files.forEach(file -> openWindow().open(file));
+  }
+
+  @Override
+  public void exit(JFrame from) {
+    List<MainWindow> all = new ArrayList<>(open);
+    all.sort(Comparator.comparing(window -> window != from)); // the others as they were opened
+    if (all.size() == 1) {
+      all.get(0).exit();
+    } else {
+      List<MainWindow> asked = all.stream().filter(MainWindow::hasSomethingToLose).toList();
+      boolean agreed = !asked.isEmpty() || confirms(from, all.size());
+      if (agreed) {
+        askAll(asked, () -> all.forEach(MainWindow::closeForGood));
+      }
+    }
+  }
+
+  private static boolean confirms(JFrame from, int count) {
+    String question = "Close the application with its " + count + " windows?";
+    return Ask.confirm(from, "Exit", question, "Exit");
+  }
+
+  /** Asks one window after the other; then follows only if none was answered with Cancel. */
+  private static void askAll(List<MainWindow> windows, Runnable then) {
+    if (windows.isEmpty()) {
+      then.run();
+    } else {
+      MainWindow first = windows.get(0);
+      first.toFront();
+      first.agree(() -> askAll(windows.subList(1, windows.size()), then));
+    }
   }
 
   @Override

@@ -6,18 +6,23 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
+import dct.ui.dialog.Chooser;
+import dct.ui.dialog.Memory;
 import dct.ui.dialog.Placement;
+import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.file.FileDrop;
 import dct.ui.menu.Look;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
+import dct.ui.session.Settings;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import org.assertj.swing.fixture.JFileChooserFixture;
@@ -218,6 +223,81 @@ class SessionWindowTest extends WindowTest {
     assertThat(message(question)).startsWith("Close this window?");
     answer(question, "Exit");
     await("one window", () -> windows().size() == 1);
+  }
+
+  @Test
+  void exitAsksInEveryWindowAndOneCancelKeepsAllOpen() {
+    drawTriangle();
+    type(KeyEvent.VK_N, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+    await("two windows", () -> windows().size() == 2);
+    MainWindow other = windows().stream().filter(w -> w != window).findFirst().orElseThrow();
+    later(() -> window.commands().get("Exit").perform());
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).startsWith("Close the application with all its windows?");
+    answer(question, "Cancel");
+    assertThat(windows()).hasSize(2);
+    onEventThread(
+        () -> {
+          other.workbench().choose(Domain.SITES);
+          other.workbench().perform(Edit.draw(other.workbench().document(), 100, 100));
+          return null;
+        });
+    later(() -> window.commands().get("Exit").perform());
+    question = dialog();
+    assertThat(message(question)).contains("New polygon has changes");
+    answer(question, "Don't Save");
+    question = dialog();
+    assertThat(message(question)).contains("New sites has changes");
+    answer(question, "Cancel");
+    assertThat(windows()).hasSize(2);
+    assertThat(points()).isEqualTo(TRIANGLE);
+    later(() -> other.commands().get("Exit").perform());
+    question = dialog();
+    assertThat(message(question)).contains("New sites has changes");
+    answer(question, "Don't Save");
+    question = dialog();
+    assertThat(message(question)).contains("New polygon has changes");
+    answer(question, "Save");
+    typeName(folder.resolve("mine").toString());
+    await("no window", () -> windows().isEmpty());
+    assertThat(folder.resolve("mine_polygonbased.txt")).hasContent("100 100\n500 100\n300 400\n");
+  }
+
+  @Test
+  void exitOfWindowsThatHoldNothingAsksOnce() {
+    choose("Polygon Based");
+    type(KeyEvent.VK_N, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+    await("two windows", () -> windows().size() == 2);
+    later(() -> window.commands().get("Exit").perform());
+    JOptionPaneFixture question = dialog();
+    assertThat(message(question)).isEqualTo("Close the application with its 2 windows?");
+    answer(question, "Exit");
+    await("no window", () -> windows().isEmpty());
+  }
+
+  @Test
+  void theFolderOfAFileIsWhereTheNextRunBegins() throws Exception {
+    drawTriangle();
+    menu("File", "Save");
+    typeName(folder.resolve("mine").toString());
+    settle();
+    session.journals().await();
+    Settings next = Session.in(state).settings();
+    assertThat(next.get("folder.documents")).contains(folder.toAbsolutePath().toString());
+    onEventThread(
+        () -> {
+          Memory.keepIn(next);
+          return null;
+        });
+    later(() -> Chooser.DOCUMENTS.open(window, Optional.empty()));
+    JFileChooserFixture chooser =
+        org.assertj.swing.finder.JFileChooserFinder.findFileChooser()
+            .withTimeout(PATIENCE_MILLIS)
+            .using(robot);
+    assertThat(onEventThread(() -> chooser.target().getCurrentDirectory().toPath()))
+        .isEqualTo(folder.toAbsolutePath());
+    chooser.cancel();
+    await("the file panel is closed", () -> !chooser.target().isShowing());
   }
 
   @Test

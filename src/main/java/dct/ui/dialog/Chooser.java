@@ -4,15 +4,19 @@ import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import java.awt.Component;
 import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.EnumMap;
-import java.util.Map;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** The file panels. Each kind begins in the folder where it was last, unless told another. */
+/**
+ * The file panels. Each kind begins in the folder where it was last, in this run or one before,
+ * unless told another.
+ */
 public enum Chooser {
   DOCUMENTS("Polygons and sites", "txt", "json"),
   FLIPS("Lists of flips", "txt"),
@@ -21,8 +25,6 @@ public enum Chooser {
   STUDIES(
       "Rows, tables and charts",
       FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));
-
-  private static final Map<Chooser, Path> LAST = new EnumMap<>(Chooser.class); // folders
 
   private final String filter;
   private final String extensions; // separated by blanks
@@ -70,7 +72,7 @@ public enum Chooser {
   }
 
   private JFileChooser panel(Optional<Path> folder) {
-    Path begin = folder.or(() -> Optional.ofNullable(LAST.get(this))).orElse(Path.of(""));
+    Path begin = folder.or(this::last).orElse(Path.of(""));
     JFileChooser chooser = new JFileChooser(begin.toAbsolutePath().toFile());
     chooser.setFileFilter(new FileNameExtensionFilter(filter, extensions.split(" ")));
     return chooser;
@@ -81,7 +83,20 @@ public enum Chooser {
       return Optional.empty();
     }
     Path file = chooser.getSelectedFile().toPath();
-    LAST.put(this, file.toAbsolutePath().getParent());
+    Memory.put(memory(), file.toAbsolutePath().getParent());
     return Optional.of(file);
+  }
+
+  /** The name under which the folder is kept. */
+  private String memory() {
+    return "folder." + name().toLowerCase(Locale.ROOT);
+  }
+
+  private Optional<Path> last() {
+    try {
+      return Memory.get(memory()).map(Path::of).filter(Files::isDirectory);
+    } catch (InvalidPathException e) {
+      return Optional.empty(); // no name of a folder on this system
+    }
   }
 }

@@ -35,36 +35,55 @@ public final class Closing {
 
   /** Asks, and closes the window, once what is being saved is in its file. */
   public void begin() {
+    begin(host.isLast(window) ? "Close the application?" : "Close this window?", close);
+  }
+
+  /**
+   * Asks as before closing the window, and then does something instead: the whole program is to be
+   * ended, and other windows are to be asked yet.
+   */
+  public void agree(Runnable then) {
+    begin("Close the application with all its windows?", then);
+  }
+
+  /** Whether closing would lose anything or end what goes on. */
+  public boolean hasSomethingToLose() {
+    Jobs jobs = workbench.jobs();
+    return !files.unsaved().isEmpty() || jobs.isWriting() || !jobs.work().isEmpty();
+  }
+
+  private void begin(String question, Runnable then) {
     Jobs jobs = workbench.jobs();
     if (jobs.isWriting() && !waiting) {
       waiting = true;
       workbench.say(
           "Closing as soon as what is being saved is in its file; Exit again asks at once");
-      jobs.write("Closing", progress -> true, written -> ask());
+      jobs.write("Closing", progress -> true, written -> ask(question, then));
     } else {
-      ask();
+      ask(question, then);
     }
   }
 
-  private void ask() {
+  private void ask(String question, Runnable then) {
     waiting = false;
     List<Editor> unsaved = files.unsaved();
+    String whole = whole(question, unsaved);
     if (unsaved.isEmpty()) {
-      if (Ask.confirm(window, TITLE, question(unsaved), TITLE)) {
-        close.run();
+      if (Ask.confirm(window, TITLE, whole, TITLE)) {
+        then.run();
       }
       return;
     }
-    switch (Ask.choose(window, TITLE, question(unsaved), 0, "Save", "Don't Save", "Cancel")) {
-      case 0 -> files.save(unsaved, close);
-      case 1 -> close.run();
+    switch (Ask.choose(window, TITLE, whole, 0, "Save", "Don't Save", "Cancel")) {
+      case 0 -> files.save(unsaved, then);
+      case 1 -> then.run();
       default -> {}
     }
   }
 
-  private String question(List<Editor> unsaved) {
+  private String whole(String question, List<Editor> unsaved) {
     List<String> sentences = new ArrayList<>();
-    sentences.add(host.isLast(window) ? "Close the application?" : "Close this window?");
+    sentences.add(question);
     List<String> work = workbench.jobs().work();
     if (!work.isEmpty()) {
       sentences.add("What is going on would end: " + String.join(", ", work) + ".");

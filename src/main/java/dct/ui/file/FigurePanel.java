@@ -6,11 +6,13 @@ import dct.render.PictureFile;
 import dct.render.Scene;
 import dct.render.Theme;
 import dct.ui.dialog.Fields;
+import dct.ui.dialog.Memory;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
@@ -29,8 +31,6 @@ final class FigurePanel extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final int GAP = 6;
 
-  private static Answers last = new Answers(0, 0, 0, true, false);
-
   private final transient Scene scene;
   private final boolean yUp;
   private final JComboBox<String> extent =
@@ -42,9 +42,6 @@ final class FigurePanel extends JPanel {
   private final JCheckBox counts = new JCheckBox("Counts");
   private final JCheckBox legend = new JCheckBox("Legend");
   private final Preview preview = new Preview();
-
-  /** What was chosen in each of the fields. */
-  private record Answers(int extent, int scale, int theme, boolean counts, boolean legend) {}
 
   /**
    * Fields for pictures of a scene.
@@ -64,11 +61,11 @@ final class FigurePanel extends JPanel {
     fields.offer(legend, 'l', "legend", "Says what colours and shapes stand for");
     add(fields, BorderLayout.NORTH);
     add(preview);
-    extent.setSelectedIndex(last.extent);
-    scale.setSelectedIndex(last.scale);
-    theme.setSelectedIndex(last.theme);
-    counts.setSelected(last.counts);
-    legend.setSelected(last.legend);
+    recall(extent);
+    recall(scale);
+    recall(theme);
+    counts.setSelected(Memory.get(memory(counts)).map(Boolean::valueOf).orElse(true));
+    legend.setSelected(Memory.get(memory(legend)).map(Boolean::valueOf).orElse(false));
     extent.addActionListener(e -> changed());
     theme.addActionListener(e -> changed());
     counts.addActionListener(e -> changed());
@@ -101,13 +98,21 @@ final class FigurePanel extends JPanel {
 
   /** Keeps the answers for the next time. */
   void remember() {
-    last =
-        new Answers(
-            extent.getSelectedIndex(),
-            scale.getSelectedIndex(),
-            theme.getSelectedIndex(),
-            counts.isSelected(),
-            legend.isSelected());
+    for (JComboBox<String> choice : List.of(extent, scale, theme)) {
+      Memory.put(memory(choice), choice.getSelectedIndex());
+    }
+    for (JCheckBox box : List.of(counts, legend)) {
+      Memory.put(memory(box), box.isSelected());
+    }
+  }
+
+  private static void recall(JComboBox<String> choice) {
+    int last = Memory.number(memory(choice)).orElse(0);
+    choice.setSelectedIndex(last < 0 || last >= choice.getItemCount() ? 0 : last);
+  }
+
+  private static String memory(Component field) {
+    return "figure." + field.getName();
   }
 
   private void changed() {

@@ -16,27 +16,16 @@ public final class FileCommands {
 
   private FileCommands() {}
 
-  /**
-   * Offers the commands of a window.
-   *
-   * @param exit asks, and closes the window
-   */
+  /** Offers the commands of a window. */
   public static void offer(
-      CommandRegistry commands,
-      FileWork files,
-      CanvasPanel canvas,
-      RecentFiles recent,
-      Runnable newWindow,
-      Runnable exit) {
+      CommandRegistry commands, FileWork files, CanvasPanel canvas, RecentFiles recent) {
     commands.add("New", "ctrl N", "Begins an empty document", files::startAnew);
     commands.add("Open", "ctrl O", "Opens a polygon or sites", files::open);
-    commands.add("New Window", "ctrl shift N", "Opens another, empty window", newWindow);
     commands.add(
         "Save", "ctrl S", "Saves to the file that was opened, or asks for one", files::save);
     commands.add(
         "Save As", "ctrl shift S", "Saves under a new name or replaces a file", files::saveAs);
     commands.add("Export Picture", "ctrl E", pictures(), () -> files.exportPicture(canvas));
-    commands.add("Exit", "ctrl Q", "Closes the application", exit);
     commands.addSubmenu("Open Sample", menu -> addSamples(menu, files));
     commands.addSubmenu("Open Recent", menu -> addRecent(menu, recent, files));
   }

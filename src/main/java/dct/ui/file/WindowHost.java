@@ -13,6 +13,12 @@ public interface WindowHost {
   /** Opens a window for each of these files. */
   void open(List<Path> files);
 
+  /**
+   * Closes all windows, this one first, and so ends the program; asks in each that would lose
+   * something, and closes none if one answer is Cancel.
+   */
+  void exit(JFrame from);
+
   /** Whether this is the only main window. */
   boolean isLast(JFrame window);
 }

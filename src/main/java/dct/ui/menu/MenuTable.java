@@ -100,6 +100,7 @@ public final class MenuTable {
               LINE,
               "Export Picture",
               LINE,
+              "Close Window",
               "Exit"),
           Plan.of(
               "Edit",
