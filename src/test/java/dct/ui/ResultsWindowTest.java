@@ -2,7 +2,9 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import dct.ui.document.Edit;
 import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
@@ -12,7 +14,9 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
 /** What is made of a document is a part of it: results are steps of its history. */
@@ -58,6 +62,51 @@ class ResultsWindowTest extends WindowTest {
     settle();
     assertThat(shown()).containsSame(delaunay);
     assertThat(undoText()).isEqualTo("Undo Delaunay");
+  }
+
+  @Test
+  void undoInAFrameOfSitesIsTheirsWhateverTheWindowShows() {
+    draw("Point Sites Based", DRAWN);
+    Triangulation delaunay = shown().orElseThrow();
+    push("Perform Flip");
+    ResultFrame frame = frameOfFirstRow();
+    onEventThread(
+        () -> {
+          window.workbench().choose(Domain.POLYGON);
+          window.workbench().perform(Edit.draw(window.workbench().document(), 100, 100));
+          assertThat(frame.commands().get("Undo").name()).isEqualTo("Undo Perform Flip");
+          frame.commands().get("Undo").perform();
+          return null;
+        });
+    settle();
+    assertThat(points().size()).isEqualTo(1);
+    choose("Point Sites Based");
+    assertThat(shown()).containsSame(delaunay);
+    assertThat(points().size()).isEqualTo(DRAWN.length / 2);
+  }
+
+  /** Opens the result in the first row of the table, which the canvas does not show. */
+  private ResultFrame frameOfFirstRow() {
+    perform("Table of Results");
+    onEventThread(
+        () -> {
+          JTable table = robot.finder().findByName("results", JTable.class, true);
+          table.setRowSelectionInterval(0, 0);
+          SwingUtilities.getWindowAncestor(table).setVisible(false);
+          return null;
+        });
+    await("the frame", () -> results().size() == 1);
+    settle();
+    return (ResultFrame) results().get(0);
+  }
+
+  @Test
+  void aPictureHasNoHistory() {
+    draw("Polygon Based", DRAWN);
+    perform("Monotone Partition");
+    await("the frame", () -> results().size() == 1);
+    ResultFrame frame = (ResultFrame) results().get(0);
+    assertThat(onEventThread(() -> frame.commands().get("Undo").isEnabled())).isFalse();
   }
 
   @Test

@@ -55,7 +55,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
       Supplier<Optional<Path>> folder) {
     this.view = view;
     this.current = current;
-    editor = workbench.editor(Domain.POLYGON);
+    editor = workbench.editor(domain().orElse(Domain.POLYGON));
     desk = new FlipDesk(this, workbench.jobs(), this::say);
     tool = new FlipTool(desk);
     commands =
@@ -67,7 +67,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
             () -> true);
     bound =
         new BoundNote(view.canvas(), workbench.jobs(), workbench::showsBound, this::shownSolution);
-    EditCommands.offerHistory(view.commands(), () -> Optional.of(editor));
+    EditCommands.offerHistory(view.commands(), () -> domain().map(any -> editor));
     new ToolMouse(view.canvas(), () -> Optional.of(tool), this, spot -> hint());
     view.canvas().setCursor(tool.cursor());
     layOut();
@@ -93,6 +93,11 @@ public final class ResultFlips implements FlipSource, ToolContext {
     below.add(commands.panel(), BorderLayout.CENTER);
     below.add(line, BorderLayout.SOUTH);
     view.addBelow(below);
+  }
+
+  /** What the result is of; nothing for a picture, which has no history. */
+  private Optional<Domain> domain() {
+    return view.result().map(result -> result.solution().instance().domain());
   }
 
   /** What the view shows, also where its points are no longer the document's. */
@@ -135,7 +140,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
 
   @Override
   public String refusal() {
-    Optional<Domain> domain = view.result().map(result -> result.solution().instance().domain());
+    Optional<Domain> domain = domain();
     if (domain.isEmpty()) {
       return "A picture to look at: edges are flipped in the views of results";
     }
