@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 
 /** Questions below each other, asked in a dialog whose Enter key is OK. */
 public abstract class Form extends Fields {
@@ -23,6 +24,7 @@ public abstract class Form extends Fields {
 
   /** Asks, the first field ready to be typed over; whether OK was chosen. */
   public final boolean show(Component parent, String title) {
+    SwingUtilities.updateComponentTreeUI(this); // the look may have changed since it was made
     JOptionPane pane =
         new JOptionPane(this, JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
           private static final long serialVersionUID = 1L;
