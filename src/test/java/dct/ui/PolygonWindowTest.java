@@ -3,6 +3,7 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dct.core.Decimals;
 import dct.core.Progress;
 import dct.core.degree.FlipResult;
 import dct.core.degree.OddFan;
@@ -16,7 +17,10 @@ import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.PolygonShape;
 import dct.render.Ink;
 import dct.ui.solve.ResultFrame;
+import dct.ui.tool.Spot;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
 
@@ -294,6 +298,38 @@ class PolygonWindowTest extends WindowTest {
     moveTo(123, 456);
     await("the coordinates", () -> canvas().corner().equals("x 123   y 456"));
     requireInk(canvas(), Ink.LABEL, 16, 20);
+  }
+
+  @Test
+  void theMouseCoordinatesAreOfWhatIsUnderTheMouseNow() {
+    draw(100, 100, 500, 400, 500, 100, 100, 400);
+    check("Edit Vertex");
+    moveTo(600, 456);
+    Point place = at(canvas(), 600, 456);
+    for (String command : List.of("Go to Crossing", "Fit", "Zoom In", "Y Axis Up")) {
+      onEventThread(
+          () -> {
+            window.commands().get(command).perform();
+            return null;
+          });
+      settle();
+      assertThat(onEventThread(canvas()::corner)).as(command).isEqualTo(coordinates(place));
+      assertThat(frame.label("status").text()).startsWith("Here "); // is not written over
+    }
+    robot.moveMouse(frame.checkBox("Edit Vertex").target());
+    await("the mouse is gone", () -> onEventThread(() -> canvas().corner().isEmpty()));
+    onEventThread(
+        () -> {
+          window.commands().get("Zoom Out").perform();
+          return null;
+        });
+    settle();
+    assertThat(onEventThread(canvas()::corner)).isEmpty();
+  }
+
+  private String coordinates(Point place) {
+    Spot spot = onEventThread(() -> Spot.at(canvas().viewport(), place.x, place.y));
+    return "x " + Decimals.format(spot.x()) + "   y " + Decimals.format(spot.y());
   }
 
   private void draw(double... coordinates) {

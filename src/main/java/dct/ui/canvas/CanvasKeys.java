@@ -122,6 +122,11 @@ final class CanvasKeys extends KeyAdapter {
     y = spot.y();
   }
 
+  /** Whether the cross is there, and not the mouse, where things are done. */
+  boolean isShown() {
+    return shown;
+  }
+
   /** Draws the cross. */
   void paint(Pen pen) {
     if (shown) {

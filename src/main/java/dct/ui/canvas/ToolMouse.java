@@ -6,6 +6,7 @@ import dct.ui.tool.Key;
 import dct.ui.tool.Spot;
 import dct.ui.tool.Tool;
 import dct.ui.tool.ToolContext;
+import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
@@ -30,6 +31,7 @@ public final class ToolMouse extends MouseAdapter {
   private final CanvasKeys keys;
   private boolean down; // the left button was pressed here and went to the tool
   private Spot last; // what was told last
+  private Optional<Point> mouse = Optional.empty(); // where it is on the canvas, if it is there
 
   /**
    * Listens to the canvas.
@@ -56,6 +58,7 @@ public final class ToolMouse extends MouseAdapter {
     last = Spot.at(canvas.viewport(), 0, 0);
     canvas.addMouseListener(this);
     canvas.addMouseMotionListener(this);
+    canvas.addViewListener(this::viewChanged);
     canvas.addOverlay(this::paint);
     FocusLoss.of(canvas, this::giveUp);
   }
@@ -106,6 +109,19 @@ public final class ToolMouse extends MouseAdapter {
     }
   }
 
+  /** Another place is under a mouse that is still; the picture is moved by a mouse that is down. */
+  private void viewChanged() {
+    if (!down) {
+      SwingUtilities.invokeLater(this::lookAgain); // after whatever else changes with the view
+    }
+  }
+
+  private void lookAgain() {
+    if (mouse.isPresent() && !down && !keys.isShown()) {
+      call(spot(mouse.get(), last.shift()), Tool::moved);
+    }
+  }
+
   @Override
   public void mousePressed(MouseEvent e) {
     if (SwingUtilities.isLeftMouseButton(e) && !e.isConsumed()) {
@@ -118,6 +134,8 @@ public final class ToolMouse extends MouseAdapter {
   public void mouseDragged(MouseEvent e) {
     if (down) {
       call(spot(e), Tool::dragged);
+    } else {
+      mouse = Optional.of(e.getPoint()); // it pans
     }
   }
 
@@ -136,6 +154,7 @@ public final class ToolMouse extends MouseAdapter {
 
   @Override
   public void mouseExited(MouseEvent e) {
+    mouse = Optional.empty();
     if (!down) {
       tool.get().ifPresent(t -> t.left(context));
       canvas.setCorner("");
@@ -150,12 +169,17 @@ public final class ToolMouse extends MouseAdapter {
     after.accept(spot);
   }
 
-  /** A drag that leaves the canvas stays at its border: nothing can get lost outside. */
   private Spot spot(MouseEvent e) {
-    int x = Math.max(0, Math.min(canvas.getWidth() - 1, e.getX()));
-    int y = Math.max(0, Math.min(canvas.getHeight() - 1, e.getY()));
-    Spot spot = Spot.at(canvas.viewport(), x, y).withShift(e.isShiftDown());
+    mouse = Optional.of(e.getPoint());
+    Spot spot = spot(e.getPoint(), e.isShiftDown());
     keys.mouseAt(spot);
     return spot;
+  }
+
+  /** A drag that leaves the canvas stays at its border: nothing can get lost outside. */
+  private Spot spot(Point place, boolean shift) {
+    int x = Math.max(0, Math.min(canvas.getWidth() - 1, place.x));
+    int y = Math.max(0, Math.min(canvas.getHeight() - 1, place.y));
+    return Spot.at(canvas.viewport(), x, y).withShift(shift);
   }
 }
