@@ -34,7 +34,7 @@ class MeshCommandsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"a.off", "a.obj", "a.ele", "a.json"})
+  @ValueSource(strings = {"a.off", "a.obj", "a.ele", "a.json", "a.instance.json"})
   void a_format_that_can_hold_it_keeps_it(String name) throws IOException {
     Path file = folder.resolve(name);
     Path again = folder.resolve("again.json");

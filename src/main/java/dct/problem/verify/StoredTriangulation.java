@@ -73,7 +73,19 @@ final class StoredTriangulation {
     } catch (InvalidGeometryException e) {
       throw new FalseClaim(claims.line(e.defect().first()), e.defect().message());
     }
-    FalseClaim.unless(instance.merged() == 0, "two sites are at the same place");
+    if (instance.merged() > 0) {
+      throw new FalseClaim(claims.line(merged()), "two sites are at the same place");
+    }
+  }
+
+  /** The first site that was merged into an earlier one. */
+  private int merged() {
+    Points kept = instance.points();
+    int v = 0;
+    while (v < kept.size() && kept.x(v) == points.x(v) && kept.y(v) == points.y(v)) {
+      v++;
+    }
+    return v;
   }
 
   /**
@@ -87,7 +99,8 @@ final class StoredTriangulation {
     graph = new PlaneGraph(points, claims.edges().fromAll(), claims.edges().toAll());
     progress.checkCancelled();
     for (int v = 0; v < n; v++) {
-      FalseClaim.unless(graph.degree(v) > 1, "vertex v" + v + " has fewer than two edges");
+      FalseClaim.unless(
+          graph.degree(v) > 1, claims.line(v), "vertex v" + v + " has fewer than two edges");
     }
     int e = graph.overlapping();
     if (e >= 0) {

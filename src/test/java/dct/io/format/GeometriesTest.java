@@ -82,7 +82,7 @@ class GeometriesTest {
         "{\"points_x\":[0,4,4,0],\"points_y\":[0,0,4,4],\"region_boundary\":[0,1,2]} | region, ring"
             + " of 3 vertices; all points, 4 sites",
         "{\"content_type\":\"CGSHOP2026_Instance\",\"instance_uid\":\"u\",\"points_x\":[0,4,4],\"points_y\":[0,0,4],\"triangulations\":[[[0,1],[1,2],[2,0]]]}"
-            + " | u, 3 sites",
+            + " | u, 3 sites, triangulated",
         "{\"type\":\"x\",\"name\":\"euro\",\"points\":[{\"i\":0,\"x\":1,\"y\":2},{\"i\":1,\"x\":3,\"y\":4}]}"
             + " | euro, 2 sites",
         "{\"name\":\"c\",\"outer_boundary\":[{\"x\":0,\"y\":0},{\"x\":9,\"y\":0},{\"x\":9,\"y\":9}],\"holes\":[[{\"x\":4,\"y\":1},{\"x\":5,\"y\":1},{\"x\":5,\"y\":2}]]}"
@@ -132,9 +132,8 @@ class GeometriesTest {
         "[[1,2],[3,NaN]] | this is not JSON as expected, at [1][1]; correct it",
         "{\"type\":\"FeatureCollection\",\"features\":[]} | there is no geometry with points in"
             + " this GeoJSON; write \"type\": \"Polygon\", \"coordinates\": [[[x, y], …]]",
-        "{\"content_type\":\"CGSHOP2026_Solution\",\"flips\":[]} | there is no geometry with points"
-            + " in this solution of CG:SHOP; write \"type\": \"Polygon\", \"coordinates\": [[[x,"
-            + " y], …]]",
+        "{\"content_type\":\"CGSHOP2026_Solution\",\"flips\":[]} | a solution of CG:SHOP without"
+            + " points of its own; open its instance",
       })
   void faults(String text, String sentence) {
     assertThatThrownBy(() -> read(text))

@@ -13,6 +13,8 @@ public final class JsonFormat implements Format {
       Pattern.compile("\\[\\s*([-+.0-9{]|\\[\\s*([-+.0-9{\\[]|$))");
   private static final Pattern OBJECTS = Pattern.compile("\"points\"\\s*:\\s*\\[\\s*\\{");
 
+  private static final Pattern CHALLENGE = Pattern.compile("(?i)\"type\"\\s*:\\s*\"[^\"]*CG_?SHOP");
+
   @Override
   public String title() {
     return "JSON";
@@ -25,7 +27,10 @@ public final class JsonFormat implements Format {
   }
 
   private static boolean isForeign(Head head) {
-    return head.hasField("coordinates")
+    return (head.first() == '{' && CHALLENGE.matcher(head.text()).find())
+        || head.hasField("steiner_points_x")
+        || head.hasField("instance_name")
+        || head.hasField("coordinates")
         || head.hasField("features")
         || head.hasField("geometry")
         || head.hasField("geometries")

@@ -1,7 +1,6 @@
 package dct.io.format.json;
 
 import com.google.gson.stream.JsonToken;
-import dct.core.geometry.Points;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
 import dct.io.format.Shape;
@@ -14,8 +13,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads shapes of JSON: of a geometry, feature or collection of GeoJSON, an instance of CG:SHOP, or
- * plain arrays. Unknown fields are skipped.
+ * Reads shapes of JSON: of a geometry, feature or collection of GeoJSON, of the challenge {@link
+ * CgShop}, or plain arrays. Unknown fields are skipped.
  */
 final class JsonGeometry {
   private static final List<String> NAMES =
@@ -26,7 +25,7 @@ final class JsonGeometry {
   private String format = "GeoJSON";
   private int beyond; // numbers behind x and y
   private int empty; // geometries without points
-  private int left; // triangulations of an instance
+  private final List<String> notes = new ArrayList<>();
 
   private JsonGeometry(Input input) {
     scanner = new JsonScanner(input);
@@ -45,15 +44,18 @@ final class JsonGeometry {
               + format
               + "; write \"type\": \"Polygon\", \"coordinates\": [[[x, y], …]]");
     }
-    List<String> notes = new ArrayList<>();
     if (beyond > 0) {
       notes.add("Numbers behind x and y are left out");
     }
     if (empty > 0) {
       notes.add(empty + (empty == 1 ? " geometry" : " geometries") + " without points left out");
     }
-    if (left > 0) {
-      notes.add(left + (left == 1 ? " triangulation is" : " triangulations are") + " left out");
+    int rounded = scanner.rounded();
+    if (rounded > 0) {
+      notes.add(
+          rounded
+              + (rounded == 1 ? " coordinate is a fraction" : " coordinates are fractions")
+              + " that no double equals; the nearest is read");
     }
     return new Shapes(format, shapes, notes);
   }
@@ -81,8 +83,8 @@ final class JsonGeometry {
 
   /** One object: the fields may come in any order, so the type may follow what it is of. */
   private void object() throws IOException {
-    Map<String, Nested> nested = new HashMap<>();
-    Map<String, double[]> lists = new HashMap<>();
+    CgShop challenge = new CgShop(scanner);
+    Optional<Nested> coordinates = Optional.empty();
     String type = "";
     String name = "";
     int first = shapes.size();
@@ -94,16 +96,15 @@ final class JsonGeometry {
       boolean isText = value == JsonToken.STRING;
       switch (field) {
         case "type", "content_type" -> type = isText ? scanner.json.nextString() : skipped(type);
-        case "name", "instance_uid", "id" ->
+        case "name", "instance_uid", "instance_name", "id" ->
             name = isText || value == JsonToken.NUMBER ? scanner.json.nextString() : skipped(name);
-        case "coordinates", "points", "outer_boundary", "holes", "triangulations" -> {
+        case "coordinates" -> {
           if (isArray) {
-            nested.put(field, scanner.nested());
+            coordinates = Optional.of(scanner.nested());
           } else {
             scanner.json.skipValue();
           }
         }
-        case "points_x", "points_y", "region_boundary" -> lists.put(field, scanner.numbers());
         case "geometry" -> {
           if (value == JsonToken.BEGIN_OBJECT) {
             object();
@@ -112,13 +113,29 @@ final class JsonGeometry {
             empty++;
           }
         }
+        case "container" -> {
+          if (value == JsonToken.BEGIN_OBJECT) {
+            object();
+          } else {
+            scanner.json.skipValue();
+          }
+        }
+        case "items" -> items();
         case "geometries", "features" -> objects();
         case "properties" -> name = properties(name);
-        default -> scanner.json.skipValue();
+        default -> {
+          if (!challenge.read(field)) {
+            scanner.json.skipValue();
+          }
+        }
       }
     }
     scanner.json.endObject();
-    add(type, nested, lists);
+    if (coordinates.isPresent()) {
+      geometry(type, coordinates.get());
+    } else {
+      add(challenge.shapes(type, name, notes));
+    }
     label(first, name);
   }
 
@@ -131,6 +148,23 @@ final class JsonGeometry {
     scanner.json.beginArray();
     while (scanner.json.hasNext()) {
       object();
+    }
+    scanner.json.endArray();
+  }
+
+  /** The polygons to be packed of CG:SHOP 2024, or whatever else has this name. */
+  private void items() throws IOException {
+    if (scanner.json.peek() != JsonToken.BEGIN_ARRAY) {
+      scanner.json.skipValue();
+      return;
+    }
+    scanner.json.beginArray();
+    while (scanner.json.hasNext()) {
+      if (scanner.json.peek() == JsonToken.BEGIN_OBJECT) {
+        object();
+      } else {
+        scanner.json.skipValue();
+      }
     }
     scanner.json.endArray();
   }
@@ -170,50 +204,15 @@ final class JsonGeometry {
     }
   }
 
-  private void add(String type, Map<String, Nested> nested, Map<String, double[]> lists) {
-    if (lists.containsKey("points_x") && lists.containsKey("points_y")) {
-      format = "CG:SHOP";
-      challenge(lists, Optional.ofNullable(nested.get("triangulations")));
-    } else if (nested.containsKey("outer_boundary")) {
-      format = "CG:SHOP";
-      rings(Shape.Kind.RING, nested.get("outer_boundary"));
-      Optional.ofNullable(nested.get("holes")).ifPresent(h -> rings(Shape.Kind.HOLE, h));
-    } else if (nested.containsKey("points")) {
-      format = "CG:SHOP";
-      rings(Shape.Kind.SITES, nested.get("points"));
-    } else if (nested.containsKey("coordinates")) {
-      geometry(type, nested.get("coordinates"));
-    } else if (type.startsWith("CG")) {
-      format = "solution of CG:SHOP";
+  private void add(List<Shape> found) {
+    if (!found.isEmpty()) {
+      format = CgShop.TITLE;
+      shapes.addAll(found);
     }
   }
 
   private void rings(Shape.Kind kind, Nested nested) {
     nested.rings().forEach(ring -> shapes.add(Shape.of(kind, "", ring)));
-  }
-
-  private void challenge(Map<String, double[]> lists, Optional<Nested> triangulations) {
-    PointColumns all = scanner.columns(lists.get("points_x"), lists.get("points_y"));
-    Points points = all.points();
-    int[] lines = all.lines();
-    PointColumns ring = new PointColumns();
-    for (double index : lists.getOrDefault("region_boundary", new double[0])) {
-      int v = vertex(index, all.size());
-      ring.add(points.x(v), points.y(v), lines[v]);
-    }
-    if (ring.size() > 0) {
-      shapes.add(Shape.of(Shape.Kind.RING, "region", ring));
-    }
-    shapes.add(Shape.of(Shape.Kind.SITES, ring.size() > 0 ? "all points" : "", all));
-    left += triangulations.map(list -> list.rings().size()).orElse(0);
-  }
-
-  private int vertex(double index, int vertices) {
-    if (index != (int) index || index < 0 || index >= vertices) {
-      throw scanner.fault(
-          "there is no point with the number " + (long) index + "; they count from 0 on");
-    }
-    return (int) index;
   }
 
   private void geometry(String type, Nested coordinates) {

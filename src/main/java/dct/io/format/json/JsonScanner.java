@@ -3,7 +3,6 @@ package dct.io.format.json;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
-import dct.core.Decimals;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
 import dct.io.text.BadInputException;
@@ -19,10 +18,13 @@ final class JsonScanner {
   private static final int DEEPEST = 100;
   private static final String PAIR = "write a point as [x, y]";
 
+  private final String name;
   private final JsonSource source;
+  private int rounded; // fractions that no double equals
   final JsonReader json;
 
   JsonScanner(Input input) {
+    name = input.name();
     source = new JsonSource(input.name(), input.in());
     json = source.json();
     json.setNestingLimit(DEEPEST);
@@ -55,15 +57,50 @@ final class JsonScanner {
     return source.fault(fault);
   }
 
-  /** A finite number, written plainly or in quotation marks. */
+  /** What messages call the text. */
+  String name() {
+    return name;
+  }
+
+  /** How many fractions were read of which no double is the value. */
+  int rounded() {
+    return rounded;
+  }
+
+  /**
+   * A finite number, written plainly, in quotation marks, or as a fraction: {@code "1/3"} or {@code
+   * {"num": 1, "den": 3}}.
+   */
   double number() throws IOException {
+    if (json.peek() == JsonToken.BEGIN_OBJECT) {
+      return fraction();
+    }
     String text = json.nextString();
-    double value = Decimals.parse(text);
-    if (!Double.isFinite(value)) {
+    return finite(Fraction.of(text), text);
+  }
+
+  private double fraction() throws IOException {
+    String above = "";
+    String below = "1";
+    json.beginObject();
+    while (json.hasNext()) {
+      switch (json.nextName()) {
+        case "num" -> above = json.nextString();
+        case "den" -> below = json.nextString();
+        default -> json.skipValue();
+      }
+    }
+    json.endObject();
+    return finite(Fraction.of(above, below), above + "/" + below);
+  }
+
+  private double finite(Fraction fraction, String text) {
+    if (!Double.isFinite(fraction.value())) {
       throw fault(
           "\"" + Shown.word(text) + "\" is no finite number" + source.place() + "; correct it");
     }
-    return value;
+    rounded += fraction.isExact() ? 0 : 1;
+    return fraction.value();
   }
 
   /** A list of numbers. */
@@ -157,14 +194,19 @@ final class JsonScanner {
     into.depth = Math.max(into.depth, 1);
   }
 
-  /** Points of columns of x and y. */
-  PointColumns columns(double[] x, double[] y) {
+  /** The present line, from 1 on. */
+  int line() {
+    return source.line();
+  }
+
+  /** Points of columns of x and y, all on one line. */
+  PointColumns columns(double[] x, double[] y, int line) {
     if (x.length != y.length) {
       throw fault("there are " + x.length + " x, but " + y.length + " y; give as many of both");
     }
     PointColumns columns = new PointColumns();
     for (int i = 0; i < x.length; i++) {
-      columns.add(x[i], y[i], source.line());
+      columns.add(x[i], y[i], line);
     }
     return columns;
   }
