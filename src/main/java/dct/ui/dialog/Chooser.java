@@ -22,6 +22,7 @@ public enum Chooser {
   FLIPS("Lists of flips", "txt"),
   WISHES("Wished parities", "txt"),
   PICTURES("Pictures", FileEnding.extensions(Content.PICTURE)),
+  DATA("Files of other programs", FileEnding.extensions(Content.POINTS, Content.TRIANGULATION)),
   STUDIES(
       "Rows, tables and charts",
       FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));

@@ -26,6 +26,9 @@ public final class FileCommands {
     commands.add(
         "Save As", "ctrl shift S", "Saves under a new name or replaces a file", files::saveAs);
     commands.add("Export Picture", "ctrl E", pictures(), () -> files.exportPicture(canvas));
+    commands
+        .add("Export Data", "", DataExport.description(), files::exportData)
+        .enabledWhen(files::hasPoints);
     commands.addSubmenu("Open Sample", menu -> addSamples(menu, files));
     commands.addSubmenu("Open Recent", menu -> addRecent(menu, recent, files));
   }

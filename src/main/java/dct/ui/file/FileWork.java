@@ -2,6 +2,7 @@ package dct.ui.file;
 
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
+import dct.io.format.Drawing;
 import dct.io.format.Shapes;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
@@ -49,6 +50,23 @@ public final class FileWork {
   void exportPicture(CanvasPanel canvas) {
     String name = workbench.active().map(Editor::name).orElse("canvas");
     PictureExport.ask(window, canvas, name, workbench.jobs(), workbench::say);
+  }
+
+  /** Whether the chosen application's document has any points. */
+  boolean hasPoints() {
+    return workbench.active().filter(editor -> editor.document().size() > 0).isPresent();
+  }
+
+  /** Writes the chosen application's document to a file of another program. */
+  void exportData() {
+    workbench.active().ifPresent(this::exportData);
+  }
+
+  private void exportData(Editor editor) {
+    Document document = editor.document();
+    String name = PictureExport.fileName(editor.name());
+    Drawing drawing = new Drawing(name, document.domain(), document.points(), workbench.solution());
+    DataExport.ask(window, drawing, name, workbench.jobs(), workbench::say);
   }
 
   /** The folder of the chosen application's document, or else the one that was used last. */

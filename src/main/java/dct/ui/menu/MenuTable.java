@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 /** Which menu holds what. */
 public final class MenuTable {
   private static final Plan RESULT_FILE =
-      Plan.of("File", "Save", "Save As", LINE, "Export Picture", LINE, "Close");
+      Plan.of("File", "Save", "Save As", LINE, "Export Picture", "Export Data", LINE, "Close");
   private static final Plan PICTURE_FILE = Plan.of("File", "Export Picture", LINE, "Close");
 
   private static final List<String> LOOK =
@@ -99,6 +99,7 @@ public final class MenuTable {
               "Save As",
               LINE,
               "Export Picture",
+              "Export Data",
               LINE,
               "Close Window",
               "Exit"),

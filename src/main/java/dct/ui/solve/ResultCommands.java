@@ -1,8 +1,10 @@
 package dct.ui.solve;
 
+import dct.io.format.Drawing;
 import dct.ui.dialog.Ask;
 import dct.ui.document.Result;
 import dct.ui.explain.Explainer;
+import dct.ui.file.DataExport;
 import dct.ui.file.FileCommands;
 import dct.ui.file.FileWork;
 import dct.ui.file.PictureExport;
@@ -26,6 +28,9 @@ public final class ResultCommands {
   static void offer(ResultView view, Jobs jobs) {
     view.commands()
         .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs));
+    view.commands()
+        .add("Export Data", "", DataExport.description(), () -> exportData(view, jobs))
+        .enabledWhen(() -> view.result().isPresent());
     view.commands().add("Close", "ctrl W", "Closes this view", view::close);
     ViewCommands.offer(view.commands(), view.canvas());
     Explainer explainer =
@@ -66,5 +71,18 @@ public final class ResultCommands {
         name,
         jobs,
         done -> SwingUtilities.invokeLater(() -> Ask.tell(view, "Export Picture", done + ".")));
+  }
+
+  private static void exportData(ResultView view, Jobs jobs) {
+    view.result()
+        .map(result -> Drawing.of(result.solution()))
+        .ifPresent(
+            drawing ->
+                DataExport.ask(
+                    view,
+                    drawing,
+                    PictureExport.fileName(view.document()) + " " + view.method(),
+                    jobs,
+                    DataExport.tell(view)));
   }
 }
