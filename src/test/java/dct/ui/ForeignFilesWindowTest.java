@@ -3,10 +3,13 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.geometry.Points;
+import dct.problem.Solution;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
 import org.assertj.swing.finder.JFileChooserFinder;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
@@ -17,6 +20,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** Files that hold more than one polygon, or are not of the program's own kind. */
 class ForeignFilesWindowTest extends WindowTest {
   private static final String TWO_RINGS = "0 0\n90 0\n90 90\n\n200 0\n290 0\n290 90\n200 90\n";
+
+  /** A square with the diagonal of v0 and v2; the first triangle is on line 7. */
+  private static final String MESH =
+      "OFF\n4 2 0\n0 0 0\n90 0 0\n90 90 0\n0 91 0\n3 0 1 2\n3 0 2 3\n";
+
   private static final Points SECOND = Points.ofPairs(200, 0, 290, 0, 290, 90, 200, 90);
 
   @TempDir(cleanup = CleanupMode.NEVER)
@@ -51,6 +59,50 @@ class ForeignFilesWindowTest extends WindowTest {
     open("rings.txt", TWO_RINGS);
     answer(dialog(), "All as Sites");
     await("the sites", () -> points().size() == 7);
+    frame.radioButton("Point Sites Based").requireSelected();
+  }
+
+  private void run(String command) {
+    SwingUtilities.invokeLater(() -> window.commands().get(command).perform());
+    settle();
+  }
+
+  private Optional<Solution> solution() {
+    return onEventThread(() -> window.workbench().solution());
+  }
+
+  @Test
+  void aTriangulationOfSitesIsShownAndCanBeFlipped() throws IOException {
+    open("square.off", MESH);
+    await("the triangulation", () -> solution().isPresent());
+    frame.radioButton("Point Sites Based").requireSelected();
+    assertThat(solution().orElseThrow().methodTitle()).isEqualTo("Read from square.off");
+    assertThat(solution().orElseThrow().triangulation().edgeBetween(0, 2)).isPresent();
+    run("Perform Flip");
+    await("the flips", () -> solution().orElseThrow().flips().isPresent());
+    assertThat(solution().orElseThrow().countsBefore().orElseThrow().odd()).isEqualTo(2);
+    run("Undo");
+    await("the file's own", () -> solution().orElseThrow().flips().isEmpty());
+    assertThat(solution().orElseThrow().method()).isEmpty();
+  }
+
+  @Test
+  void aTriangulationOfAPolygonIsItsResult() throws IOException {
+    open("dart.off", MESH.replace("90 90 0", "20 30 0"));
+    await("the result", () -> solution().isPresent());
+    frame.radioButton("Polygon Based").requireSelected();
+    assertThat(solution().orElseThrow().triangulation().edgeBetween(0, 2)).isPresent();
+  }
+
+  @Test
+  void pointsAloneAreOfferedWhereTrianglesAreWrong() throws IOException {
+    open("twice.off", MESH.replace("3 0 2 3", "3 2 1 0"));
+    JOptionPaneFixture sorry = dialog();
+    sorry.requireMessage(
+        "twice.off, line 8: its triangles are no triangulation of its sites: the triangle is there"
+            + " already, on line 7.");
+    answer(sorry, "Open Points Alone");
+    await("the sites", () -> points().size() == 4);
     frame.radioButton("Point Sites Based").requireSelected();
   }
 

@@ -2,13 +2,12 @@ package dct.io.format;
 
 import dct.core.triangulate.Domain;
 import dct.io.text.BadInputException;
-import java.util.Locale;
 
 /** A file holds triangles, or edges, that are no triangulation of its points. */
 public final class NoTriangulation extends BadInputException {
   private static final long serialVersionUID = 1L;
 
-  private final String note;
+  private final String cause;
 
   /**
    * Says why.
@@ -20,13 +19,7 @@ public final class NoTriangulation extends BadInputException {
    */
   public NoTriangulation(String file, String what, Domain domain, int line, String why) {
     super(file, line, clause(what, domain) + why + "; read its points alone with --as points");
-    this.note =
-        String.format(
-            Locale.ROOT,
-            "Line %d: %s%s; only its points are read",
-            line,
-            clause(what, domain),
-            why);
+    this.cause = clause(what, domain) + why;
   }
 
   private static String clause(String what, Domain domain) {
@@ -34,8 +27,13 @@ public final class NoTriangulation extends BadInputException {
     return "its " + what + " are no triangulation of its " + whole + ": ";
   }
 
+  /** What is wrong, without file, line and cure. */
+  public String cause() {
+    return cause;
+  }
+
   /** The same as a note, where the points are wanted all the same. */
   public String note() {
-    return note;
+    return "Line " + line() + ": " + cause + "; only its points are read";
   }
 }

@@ -1,8 +1,10 @@
 package dct.ui.file;
 
+import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
 import dct.io.format.Drawing;
+import dct.io.format.NoTriangulation;
 import dct.io.format.Shapes;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
@@ -106,8 +108,26 @@ public final class FileWork {
         .jobs()
         .read(
             "Reading " + typed.getFileName(),
-            progress -> Found.by(() -> DocumentFile.read(typed, choice, progress)),
-            found -> found.handOn(this::offer, shapes -> choose(typed, choice, shapes)));
+            progress -> read(typed, choice, progress),
+            Runnable::run);
+  }
+
+  /** Reads a file; returns what comes next. */
+  private Runnable read(Path typed, Choice choice, Progress progress) {
+    try {
+      Found<Read> found = Found.by(() -> DocumentFile.read(typed, choice, progress));
+      return () -> found.handOn(this::offer, shapes -> choose(typed, choice, shapes));
+    } catch (NoTriangulation fault) {
+      // A dialog waits for its answer; the queue of jobs must not wait with it.
+      return () -> SwingUtilities.invokeLater(() -> offerPoints(typed, choice, fault));
+    }
+  }
+
+  private void offerPoints(Path typed, Choice choice, NoTriangulation fault) {
+    Path name = typed.getFileName();
+    String sentence = name + ", line " + fault.line() + ": " + fault.cause() + ".";
+    Ask.offer(window, "Open " + name, sentence, "Open Points Alone")
+        .ifPresent(chosen -> open(typed, choice.as(Domain.SITES)));
   }
 
   private void choose(Path typed, Choice choice, Shapes shapes) {
