@@ -120,4 +120,32 @@ class ForeignFilesWindowTest extends WindowTest {
     settle();
     assertThat(file).hasContent(heights);
   }
+
+  private static void pick(JOptionPaneFixture question, String column, int number) {
+    question.comboBox(column).selectItem(Integer.toString(number));
+  }
+
+  @Test
+  void theColumnsOfATableAreAskedForWhereTheyCannotBeTold() throws IOException {
+    open("table.csv", "0.5 7 9 0.5\n90 7 9 0.5\n90 8 9 60\n");
+    JOptionPaneFixture question = dialog();
+    question.table("rows").requireColumnCount(4).requireRowCount(3);
+    pick(question, "yColumn", 4);
+    answer(question, "OK");
+    await("the vertices", () -> points().equals(Points.ofPairs(0.5, 0.5, 90, 0.5, 90, 60)));
+    open("again.csv", "1 2 3 4\n4 5 7 8\n");
+    answer(dialog(), "Cancel");
+    settle();
+    assertThat(points().size()).isEqualTo(3);
+  }
+
+  @Test
+  void aRowThatNumbersTheColumnsIsSkippedIfThatIsMeant() throws IOException {
+    open("frame.csv", "0,1\n10.5,20.5\n90.5,20.5\n60.5,80.5\n");
+    JOptionPaneFixture question = dialog();
+    question.spinner("skipped").requireValue(1);
+    answer(question, "OK");
+    await(
+        "the vertices", () -> points().equals(Points.ofPairs(10.5, 20.5, 90.5, 20.5, 60.5, 80.5)));
+  }
 }

@@ -28,6 +28,11 @@ public record Choice(Optional<Domain> as, Domain otherwise, OptionalInt pick, Co
     return new Choice(as, domain, pick, columns);
   }
 
+  /** The same, but of these columns. */
+  public Choice with(Columns meant) {
+    return new Choice(as, otherwise, pick, meant);
+  }
+
   /** The same, but of the shape with this number, from 1 on. */
   public Choice picking(int number) {
     return new Choice(as, otherwise, OptionalInt.of(number), columns);

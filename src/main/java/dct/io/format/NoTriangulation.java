@@ -1,10 +1,9 @@
 package dct.io.format;
 
 import dct.core.triangulate.Domain;
-import dct.io.text.BadInputException;
 
 /** A file holds triangles, or edges, that are no triangulation of its points. */
-public final class NoTriangulation extends BadInputException {
+public final class NoTriangulation extends UnclearInput {
   private static final long serialVersionUID = 1L;
 
   private final String cause;

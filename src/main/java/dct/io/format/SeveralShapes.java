@@ -1,9 +1,7 @@
 package dct.io.format;
 
-import dct.io.text.BadInputException;
-
 /** A file holds several shapes and nothing says which is meant. */
-public final class SeveralShapes extends BadInputException {
+public final class SeveralShapes extends UnclearInput {
   private static final long serialVersionUID = 1L;
 
   private final transient Shapes shapes;

@@ -1,38 +1,36 @@
 package dct.ui.dialog;
 
-import dct.io.format.SeveralShapes;
-import dct.io.format.Shapes;
+import dct.io.format.UnclearInput;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 
 /**
- * What a file or a text turned out to hold: what was meant of it, or several shapes of which one is
- * to be chosen.
+ * What a file or a text turned out to hold: what was meant of it, or why that is not clear.
  *
  * @param meant what was made of it
- * @param several the shapes, if nothing said which is meant
+ * @param unclear what there is to choose from, if nothing said what is meant
  */
-public record Found<T>(Optional<T> meant, Optional<Shapes> several) {
+public record Found<T>(Optional<T> meant, Optional<UnclearInput> unclear) {
 
   /** What this reading finds. */
   public static <T> Found<T> by(Supplier<T> reading) {
     try {
       return new Found<>(Optional.of(reading.get()), Optional.empty());
-    } catch (SeveralShapes e) {
-      return new Found<>(Optional.empty(), Optional.of(e.shapes()));
+    } catch (UnclearInput e) {
+      return new Found<>(Optional.empty(), Optional.of(e));
     }
   }
 
   /**
    * Hands it on.
    *
-   * @param choose asks which of the shapes is meant; it is called later, since a dialog waits for
+   * @param choose asks what is meant; it is called later, since a dialog waits for
    *     its answer and the queue of jobs must not wait with it
    */
-  public void handOn(Consumer<T> take, Consumer<Shapes> choose) {
+  public void handOn(Consumer<T> take, Consumer<UnclearInput> choose) {
     meant.ifPresent(take);
-    several.ifPresent(shapes -> SwingUtilities.invokeLater(() -> choose.accept(shapes)));
+    unclear.ifPresent(asked -> SwingUtilities.invokeLater(() -> choose.accept(asked)));
   }
 }

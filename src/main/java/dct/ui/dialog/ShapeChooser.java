@@ -19,7 +19,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 
 /** Asks which of the shapes of a file is meant, with a small picture of each. */
-public final class ShapeChooser {
+final class ShapeChooser {
   private static final String OPEN = "Open";
   private static final String AS_SITES = "All as Sites";
   private static final String CANCEL = "Cancel";
@@ -78,7 +78,7 @@ public final class ShapeChooser {
    *
    * @param before how it has been read
    */
-  public static Optional<Choice> ask(Component parent, String title, Shapes shapes, Choice before) {
+  static Optional<Choice> ask(Component parent, String title, Shapes shapes, Choice before) {
     return new ShapeChooser(shapes).ask(parent, title, before);
   }
 

@@ -8,10 +8,10 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
 import dct.io.format.Choice;
-import dct.io.format.Shapes;
+import dct.io.format.UnclearInput;
 import dct.ui.command.CommandRegistry;
 import dct.ui.dialog.Found;
-import dct.ui.dialog.ShapeChooser;
+import dct.ui.dialog.WhatIsMeant;
 import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
@@ -143,7 +143,7 @@ public final class SelectionCommands {
             progress -> Found.by(() -> distinct(parse(text, choice), domain, progress)),
             found ->
                 found.handOn(
-                    points -> paste(points, domain), shapes -> choose(text, choice, shapes)));
+                    points -> paste(points, domain), unclear -> choose(text, choice, unclear)));
   }
 
   private static Points distinct(Points points, Domain domain, Progress progress) {
@@ -156,9 +156,9 @@ public final class SelectionCommands {
     }
   }
 
-  private void choose(String text, Choice choice, Shapes shapes) {
+  private void choose(String text, Choice choice, UnclearInput unclear) {
     Component over = KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow();
-    ShapeChooser.ask(over, "Paste", shapes, choice).ifPresent(chosen -> paste(text, chosen));
+    WhatIsMeant.ask(over, "Paste", unclear, choice).ifPresent(chosen -> paste(text, chosen));
   }
 
   private static Optional<String> clipboard() {

@@ -182,7 +182,7 @@ public final class ChangedFiles {
         .read(
             "Reloading " + file.getFileName(),
             progress -> Found.by(() -> DocumentFile.read(file, choice, progress)),
-            found -> found.handOn(read -> reloaded(editor, read), shapes -> refuse(file)));
+            found -> found.handOn(read -> reloaded(editor, read), unclear -> refuse(file)));
   }
 
   private void reloaded(Editor editor, DocumentFile.Read read) {

@@ -1,16 +1,14 @@
 package dct.ui.file;
 
-import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
 import dct.io.format.Drawing;
-import dct.io.format.NoTriangulation;
-import dct.io.format.Shapes;
+import dct.io.format.UnclearInput;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
 import dct.ui.dialog.Found;
-import dct.ui.dialog.ShapeChooser;
+import dct.ui.dialog.WhatIsMeant;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.document.Origin;
@@ -108,31 +106,13 @@ public final class FileWork {
         .jobs()
         .read(
             "Reading " + typed.getFileName(),
-            progress -> read(typed, choice, progress),
-            Runnable::run);
+            progress -> Found.by(() -> DocumentFile.read(typed, choice, progress)),
+            found -> found.handOn(this::offer, unclear -> choose(typed, choice, unclear)));
   }
 
-  /** Reads a file; returns what comes next. */
-  private Runnable read(Path typed, Choice choice, Progress progress) {
-    try {
-      Found<Read> found = Found.by(() -> DocumentFile.read(typed, choice, progress));
-      return () -> found.handOn(this::offer, shapes -> choose(typed, choice, shapes));
-    } catch (NoTriangulation fault) {
-      // A dialog waits for its answer; the queue of jobs must not wait with it.
-      return () -> SwingUtilities.invokeLater(() -> offerPoints(typed, choice, fault));
-    }
-  }
-
-  private void offerPoints(Path typed, Choice choice, NoTriangulation fault) {
-    Path name = typed.getFileName();
-    String sentence = name + ", line " + fault.line() + ": " + fault.cause() + ".";
-    Ask.offer(window, "Open " + name, sentence, "Open Points Alone")
-        .ifPresent(chosen -> open(typed, choice.as(Domain.SITES)));
-  }
-
-  private void choose(Path typed, Choice choice, Shapes shapes) {
+  private void choose(Path typed, Choice choice, UnclearInput unclear) {
     String title = "Open " + typed.getFileName();
-    ShapeChooser.ask(window, title, shapes, choice).ifPresent(chosen -> open(typed, chosen));
+    WhatIsMeant.ask(window, title, unclear, choice).ifPresent(chosen -> open(typed, chosen));
   }
 
   private void offer(Read read) {

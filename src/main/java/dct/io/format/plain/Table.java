@@ -2,7 +2,9 @@ package dct.io.format.plain;
 
 import dct.io.format.Columns;
 import dct.io.format.PointColumns;
+import dct.io.format.UnclearColumns;
 import dct.io.text.BadInputException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -112,8 +114,7 @@ final class Table {
     }
     Columns.Pair xy = asked.orElseGet(() -> told(notes));
     if (xy.x() > width || xy.y() > width) {
-      String fault = "there are only " + width + " columns; give --columns with two of them";
-      throw new BadInputException(name, lines[0], fault);
+      throw unclear("there are only " + width + " columns; give --columns with two of them");
     }
     PointColumns points = new PointColumns();
     for (int row = 0; row < size; row++) {
@@ -169,9 +170,16 @@ final class Table {
     return new Columns.Pair(x, x + 1);
   }
 
-  private BadInputException ambiguous(String what) {
-    return new BadInputException(
-        name, lines[0], what + "; keep those of x and y, or give --columns X,Y");
+  private UnclearColumns ambiguous(String what) {
+    return unclear(what + "; keep those of x and y, or give --columns X,Y");
+  }
+
+  private UnclearColumns unclear(String fault) {
+    List<double[]> rows = new ArrayList<>();
+    for (int row = 0; row < Math.min(size, UnclearColumns.ROWS); row++) {
+      rows.add(Arrays.copyOfRange(values, row * width, (row + 1) * width));
+    }
+    return new UnclearColumns(name, lines[0], fault, rows, Columns.TOLD_BY_CONTENT);
   }
 
   /** Whether the first column is 0, 1, 2, … or 1, 2, 3, …, over two rows at least. */

@@ -1,9 +1,12 @@
 package dct.io.format.plain;
 
 import dct.core.geometry.Points;
+import dct.io.format.Columns;
+import dct.io.format.UnclearColumns;
 import dct.io.text.BadInputException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -131,11 +134,17 @@ public final class TextLayout {
   private void checkHeader(Points points, int line) {
     boolean isPair = points.x(0) == 0 && points.y(0) == 1;
     if (isPair && startsWithComma && !moreWhole && points.size() > 1) {
-      throw new BadInputException(
+      List<double[]> rows =
+          IntStream.range(0, Math.min(points.size(), UnclearColumns.ROWS))
+              .mapToObj(v -> new double[] {points.x(v), points.y(v)})
+              .toList();
+      throw new UnclearColumns(
           name,
           line,
           "this looks like a header that numbers the columns; remove the line, give --skip 1, or"
-              + " write 0.0 1.0 if it is a vertex");
+              + " write 0.0 1.0 if it is a vertex",
+          rows,
+          new Columns(Optional.empty(), line));
     }
   }
 
