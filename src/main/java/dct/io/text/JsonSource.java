@@ -3,6 +3,7 @@ package dct.io.text;
 import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import java.io.BufferedReader;
+import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
@@ -11,18 +12,39 @@ import java.nio.charset.StandardCharsets;
 public final class JsonSource {
   private final String name;
   private final LineReader lines;
-  private final JsonReader json;
+  private JsonReader json;
 
   /** The text of a stream in UTF-8 that messages call by this name. */
   public JsonSource(String name, InputStream in) {
     this.name = name;
     InputStreamReader text = new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder());
     lines = new LineReader(new BufferedReader(text, 1 << 16));
-    json = new JsonReader(lines);
-    json.setStrictness(Strictness.STRICT);
+    json = strict();
   }
 
-  /** The stream of its tokens. */
+  private JsonReader strict() {
+    JsonReader reader = new JsonReader(lines);
+    reader.setStrictness(Strictness.STRICT);
+    return reader;
+  }
+
+  /** Takes the end of the line for the end of the text, until {@link #goOn}. */
+  public void endAtLine() {
+    lines.endAtLine();
+  }
+
+  /**
+   * Goes on behind the line with another stream of tokens.
+   *
+   * @return the first character that is no blank there, or −1 if there is none
+   */
+  public int goOn() throws IOException {
+    int first = lines.goOn();
+    json = strict();
+    return first;
+  }
+
+  /** The present stream of its tokens. */
   public JsonReader json() {
     return json;
   }

@@ -8,9 +8,13 @@ import java.io.Reader;
  * in, however it buffers.
  */
 public final class LineReader extends Reader {
+  private static final int NONE = -2;
+
   private final Reader in;
+  private int ahead = NONE; // a character that was read and not given
   private int line = 1;
   private boolean atLineEnd;
+  private boolean endsAtLine; // whether the end of the line is given as the end of the text
 
   public LineReader(Reader in) {
     this.in = in;
@@ -18,9 +22,12 @@ public final class LineReader extends Reader {
 
   @Override
   public int read(char[] text, int from, int length) throws IOException {
+    if (endsAtLine && atLineEnd) {
+      return -1;
+    }
     int i = from;
     while (i < from + length && (i == from || !atLineEnd)) {
-      int c = in.read();
+      int c = take();
       if (c < 0) {
         return i == from ? -1 : i - from;
       }
@@ -29,6 +36,35 @@ public final class LineReader extends Reader {
       atLineEnd = c == '\n';
     }
     return i - from;
+  }
+
+  private int take() throws IOException {
+    int c = ahead;
+    ahead = NONE;
+    return c == NONE ? in.read() : c;
+  }
+
+  /** Gives no more than the rest of the line, until {@link #goOn}. */
+  void endAtLine() {
+    endsAtLine = true;
+  }
+
+  /** Goes on behind the line; gives the next character that is no blank, which stays, or −1. */
+  int goOn() throws IOException {
+    endsAtLine = false;
+    int c = take();
+    while (c >= 0 && c <= ' ') {
+      line += atLineEnd ? 1 : 0;
+      atLineEnd = c == '\n';
+      c = take();
+    }
+    if (c < 0) {
+      return -1;
+    }
+    line += atLineEnd ? 1 : 0;
+    atLineEnd = false;
+    ahead = c;
+    return c;
   }
 
   /** The line of the last character given, from 1 on. */

@@ -56,6 +56,18 @@ class GeometriesTest {
         "POINT (1 2) | 1 sites",
         "POINT Z (1 2 3) | 1 sites",
         "MULTIPOINT ((1 2), (3 4)) | 2 sites",
+        "MULTIPOINT (EMPTY, (1 2), empty) | 1 sites",
+        "MULTILINESTRING ((0 0, 1 0), EMPTY) | path of 2 vertices",
+        "MULTIPOLYGON (EMPTY, ((0 0, 1 0, 1 1, 0 0), EMPTY)) | ring of 3 vertices",
+        "[[0,0,9,0,9,9,0,9]] | 4 points",
+        "[[0,0,9,0,9,9,0,9],[1,1,2,1,2,2]] | 4 points; 3 points",
+        "[[0,0,9,255,0,0],[9,0,9,255,0,0],[9,9,9,0,0,0]] | 3 points",
+        "{\"vertices\":[0,0,9,0,9,9,0,9,1,1,2,1,2,2],\"holes\":[4],\"dimensions\":2} | ring of 4"
+            + " vertices; hole of 3 vertices",
+        "{\"dimensions\":3,\"holes\":[],\"vertices\":[0,0,5,9,0,5,9,9,5]} | ring of 3 vertices",
+        "{\"vertices\":[[0,0],[9,0],[9,9],[0,9]],\"triangles\":[[0,1,2],[0,2,3]]} | 4 sites,"
+            + " triangulated",
+        "{\"vertices\":[0,0,9,0,9,9,0,9],\"triangles\":[0,1,2,0,2,3]} | 4 sites, triangulated",
         "multipoint(1 2,3 4) | 2 sites",
         "LINESTRING (0 0, 1 0, 1 1) | path of 3 vertices",
         "LINESTRING (0 0, 1 0, 1 1, 0 0) | ring of 3 vertices",
@@ -107,12 +119,41 @@ class GeometriesTest {
             "Numbers behind x and y are left out", "1 geometry without points left out");
   }
 
+  @Test
+  void objects_on_lines_of_their_own_are_read_one_after_the_other() {
+    String line =
+        "{\"type\":\"Feature\",\"properties\":{\"name\":\"a\"},\"geometry\":"
+            + "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[1,0],[1,1],[0,0]]]}}";
+    assertThat(described(line + "\n\r\n" + line.replace("\"a\"", "\"b\"") + "\n\n"))
+        .isEqualTo("a, ring of 3 vertices; b, ring of 3 vertices");
+    Shape third = read((line + "\n").repeat(500)).shapes().get(499);
+    assertThat(third.line(0)).isEqualTo(500);
+    assertThatThrownBy(() -> read(line + "\n" + line + "\n" + line.replace("[1,1]", "[1]")))
+        .hasMessageStartingWith("in:3: a point has one number only");
+    assertThatThrownBy(() -> read(line + "\n" + line.substring(0, line.length() - 2)))
+        .hasMessageStartingWith("in:2: the JSON text ends too early");
+    assertThatThrownBy(() -> read(line + "\n]"))
+        .hasMessage("in:2: something follows the JSON text; remove it");
+    assertThatThrownBy(() -> read("[[0,0],[1,1],[2,3]]\n{}"))
+        .hasMessage("in:2: something follows the JSON text; remove it");
+    assertThatThrownBy(() -> read(line + line)).hasMessageContaining("not JSON as expected");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
         "POLYGON ((0 0, 4 0, 4 4, 0 0) | the end of the file stands where , or ) is missing; write"
             + " it",
+        "MULTILINESTRING ((0 0, 1 0), EMPTIED) | \"EMPTIED\" stands where ( is missing; write it",
+        "{\"vertices\":[0,0,9,0,9],\"holes\":[],\"dimensions\":2} | there are 5 numbers, which are"
+            + " no vertices of 2 dimensions; give x and y of each",
+        "{\"vertices\":[0,0,9,0,9,9],\"holes\":[3],\"dimensions\":2} | the holes do not begin at"
+            + " increasing numbers from 1 to 2; correct \"holes\"",
+        "{\"vertices\":[0,0,9,0,9,9],\"triangles\":[0,1,3]} | there is no vertex 3, they count from"
+            + " 0 to 2; correct the triangle",
+        "{\"vertices\":[0,0,9,0,9,9],\"triangles\":[0,1]} | a triangle has not three corners; write"
+            + " [u, v, w]",
         "POLYGON (0 0, 4 0) | \"0\" stands where ( is missing; write it",
         "POLYGON ((0 0, 4 x)) | \"x\" is not a number; write two numbers x y for each point",
         "POLYGON ((0 0, 1e999 0)) | 1e999 is too large, a coordinate is at most 1.797e308; scale"
@@ -220,6 +261,9 @@ class GeometriesTest {
             + "\"coordinates\":[[[0,0],[1,0],[1,1],[0,0]]]}}",
         "{\"points_x\":[0,4,4],\"points_y\":[0,0,4],\"triangulations\":[[[0,1],[1,2]]]}",
         "[{\"x\":0,\"y\":0},{\"x\":1,\"y\":0},{\"x\":1,\"y\":1}]",
+        "{\"vertices\":[0,0,9,0,9,9,2,2],\"holes\":[],\"triangles\":[[0,1,2],[0,2,3]]}",
+        "[[0,0,9,0,9,9,0,9],[1,1,2,1,2,2]]",
+        "MULTIPOLYGON (EMPTY, ((0 0, 1 0, 1 1, 0 0), EMPTY))",
       })
   void cut_or_changed_texts_are_refused_in_a_sentence(String text) {
     for (int end = 0; end < text.length(); end++) {

@@ -32,7 +32,7 @@ final class CgShop {
   static final String TITLE = "CG:SHOP";
 
   private static final Set<String> NESTED =
-      Set.of("points", "outer_boundary", "holes", "polygons", "triangulations");
+      Set.of("points", "outer_boundary", "polygons", "triangulations");
   private static final Set<String> LISTS =
       Set.of(
           "points_x",
@@ -72,6 +72,11 @@ final class CgShop {
       return false;
     }
     return true;
+  }
+
+  /** Hears of the holes, whose field other formats have, too. */
+  void holes(Nested holes) {
+    nested.put("holes", holes);
   }
 
   /**
@@ -221,8 +226,7 @@ final class CgShop {
 
   private int end(double number, int line) {
     if (number != (int) number) {
-      throw new BadInputException(
-          scanner.name(), line, "an edge names a point by a fraction; write whole numbers");
+      throw scanner.fault(line, "an edge names a point by a fraction; write whole numbers");
     }
     return (int) number;
   }

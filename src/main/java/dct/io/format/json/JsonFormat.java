@@ -7,13 +7,15 @@ import dct.io.format.Shapes;
 import java.io.IOException;
 import java.util.regex.Pattern;
 
-/** GeoJSON, files of the challenge CG:SHOP, and plain arrays of points. */
+/** GeoJSON, files of the challenge CG:SHOP, lists of vertices, and plain arrays of points. */
 public final class JsonFormat implements Format {
   private static final Pattern ARRAY =
       Pattern.compile("\\[\\s*([-+.0-9{]|\\[\\s*([-+.0-9{\\[]|$))");
   private static final Pattern OBJECTS = Pattern.compile("\"points\"\\s*:\\s*\\[\\s*\\{");
 
   private static final Pattern CHALLENGE = Pattern.compile("(?i)\"type\"\\s*:\\s*\"[^\"]*CG_?SHOP");
+
+  private static final Pattern VERTICES = Pattern.compile("\"vertices\"\\s*:\\s*\\[");
 
   @Override
   public String title() {
@@ -28,6 +30,7 @@ public final class JsonFormat implements Format {
 
   private static boolean isForeign(Head head) {
     return (head.first() == '{' && CHALLENGE.matcher(head.text()).find())
+        || (head.first() == '{' && VERTICES.matcher(head.text()).find())
         || head.hasField("steiner_points_x")
         || head.hasField("instance_name")
         || head.hasField("coordinates")

@@ -75,8 +75,8 @@ final class JsonGeometry {
     if (nested.depth == 1) { // all numbers in one array
       throw scanner.fault("the numbers stand in one list; write [[x, y], [x, y], …]");
     }
-    beyond += nested.beyond;
-    for (PointColumns ring : nested.rings()) {
+    beyond += nested.isFlat() ? 0 : nested.beyond;
+    for (PointColumns ring : nested.isFlat() ? nested.flat : nested.rings()) {
       shapes.add(Shape.of(Shape.Kind.POINTS, "", ring));
     }
   }
@@ -84,6 +84,7 @@ final class JsonGeometry {
   /** One object: the fields may come in any order, so the type may follow what it is of. */
   private void object() throws IOException {
     CgShop challenge = new CgShop(scanner);
+    VertexLists vertices = new VertexLists(scanner);
     Optional<Nested> coordinates = Optional.empty();
     String type = "";
     String name = "";
@@ -124,7 +125,7 @@ final class JsonGeometry {
         case "geometries", "features" -> objects();
         case "properties" -> name = properties(name);
         default -> {
-          if (!challenge.read(field)) {
+          if (!vertices.read(field) && !challenge.read(field)) {
             scanner.json.skipValue();
           }
         }
@@ -133,7 +134,11 @@ final class JsonGeometry {
     scanner.json.endObject();
     if (coordinates.isPresent()) {
       geometry(type, coordinates.get());
+    } else if (vertices.isPresent()) {
+      format = "JSON";
+      shapes.addAll(vertices.shapes(notes));
     } else {
+      vertices.holes().ifPresent(challenge::holes);
       add(challenge.shapes(type, name, notes));
     }
     label(first, name);

@@ -21,7 +21,7 @@ final class JsonScanner {
   private final String name;
   private final JsonSource source;
   private int rounded; // fractions that no double equals
-  final JsonReader json;
+  JsonReader json;
 
   JsonScanner(Input input) {
     name = input.name();
@@ -36,13 +36,16 @@ final class JsonScanner {
     void read() throws IOException;
   }
 
-  /** Reads a whole text; whatever is wrong with its form becomes one sentence. */
+  /**
+   * Reads a whole text, also of several objects on lines of their own; whatever is wrong with its
+   * form becomes one sentence.
+   */
   void whole(Body body) throws IOException {
     try {
-      body.read();
-      if (json.peek() != JsonToken.END_DOCUMENT) {
-        throw fault("something follows the JSON text; remove it");
-      }
+      boolean isObject = json.peek() == JsonToken.BEGIN_OBJECT;
+      do {
+        body.read();
+      } while (goOn(isObject));
     } catch (EOFException e) {
       throw fault("the JSON text ends too early; restore the rest of the file");
     } catch (MalformedJsonException | IllegalStateException e) {
@@ -53,13 +56,25 @@ final class JsonScanner {
     }
   }
 
-  BadInputException fault(String fault) {
-    return source.fault(fault);
+  /** Whether another object follows on the next line. */
+  private boolean goOn(boolean isObject) throws IOException {
+    source.endAtLine();
+    boolean isLine = json.peek() == JsonToken.END_DOCUMENT;
+    int first = source.goOn();
+    json = source.json();
+    json.setNestingLimit(DEEPEST);
+    if (!isLine || (first >= 0 && !(isObject && first == '{'))) {
+      throw fault("something follows the JSON text; remove it");
+    }
+    return first >= 0;
   }
 
-  /** What messages call the text. */
-  String name() {
-    return name;
+  BadInputException fault(int line, String fault) {
+    return new BadInputException(name, line, fault);
+  }
+
+  BadInputException fault(String fault) {
+    return source.fault(fault);
   }
 
   /** How many fractions were read of which no double is the value. */
@@ -105,9 +120,14 @@ final class JsonScanner {
 
   /** A list of numbers. */
   double[] numbers() throws IOException {
+    json.beginArray();
+    return rest();
+  }
+
+  /** The rest of a list of numbers. */
+  private double[] rest() throws IOException {
     double[] numbers = new double[16];
     int size = 0;
-    json.beginArray();
     while (json.hasNext()) {
       if (size == numbers.length) {
         numbers = Arrays.copyOf(numbers, Math.multiplyExact(2, size));
@@ -125,6 +145,23 @@ final class JsonScanner {
     return nested;
   }
 
+  /** Arrays of points, or one array of numbers, which are kept as they are. */
+  Nested nestedOrNumbers() throws IOException {
+    Nested nested = new Nested();
+    json.beginArray();
+    if (isNumber()) {
+      nested.numbers = rest();
+    } else {
+      elements(nested);
+    }
+    return nested;
+  }
+
+  private boolean isNumber() throws IOException {
+    JsonToken next = json.peek();
+    return next == JsonToken.NUMBER || next == JsonToken.STRING;
+  }
+
   /** Reads an array or an object with x and y; gives how deep it is nested. */
   private int array(Nested into) throws IOException {
     if (json.peek() == JsonToken.BEGIN_OBJECT) {
@@ -132,13 +169,16 @@ final class JsonScanner {
       return 1;
     }
     json.beginArray();
-    JsonToken first = json.peek();
-    if (first == JsonToken.NUMBER || first == JsonToken.STRING) {
+    if (isNumber()) {
       pair(into);
       json.endArray();
       into.depth = Math.max(into.depth, 1);
       return 1;
     }
+    return elements(into);
+  }
+
+  private int elements(Nested into) throws IOException {
     int depth = 1;
     boolean isFirst = true;
     while (json.hasNext()) {
@@ -166,10 +206,35 @@ final class JsonScanner {
     if (!json.hasNext()) {
       throw fault("a point has one number only" + source.place() + "; " + PAIR);
     }
-    into.point(x, number(), line);
-    while (json.hasNext()) {
-      number();
+    double y = number();
+    into.point(x, y, line);
+    if (json.hasNext()) {
+      double z = number();
       into.beyond++;
+      if (json.hasNext()) {
+        more(into, line, x, y, z);
+      }
+    }
+  }
+
+  /** The rest of a list of four numbers or more, which may be a point or a ring. */
+  private void more(Nested into, int line, double x, double y, double z) throws IOException {
+    PointColumns ring = new PointColumns();
+    ring.add(x, y, line);
+    double even = z;
+    boolean isEven = false;
+    while (json.hasNext()) {
+      double next = number();
+      into.beyond++;
+      isEven = !isEven;
+      if (isEven) {
+        ring.add(even, next, source.line());
+      } else {
+        even = next;
+      }
+    }
+    if (isEven && ring.size() > 2) {
+      into.flat.add(ring);
     }
   }
 

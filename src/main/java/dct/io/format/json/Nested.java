@@ -14,6 +14,10 @@ final class Nested {
 
   final List<List<PointColumns>> polygons = new ArrayList<>();
   int beyond; // numbers behind x and y
+  double[] numbers = new double[0]; // all, where no array is within the array
+
+  /** The lists of numbers in which points stand one behind the other, if each is read so. */
+  final List<PointColumns> flat = new ArrayList<>();
 
   /** Begins another polygon. */
   void polygon() {
@@ -35,6 +39,17 @@ final class Nested {
     }
     List<PointColumns> rings = polygons.get(polygons.size() - 1);
     rings.get(rings.size() - 1).add(x, y, line);
+  }
+
+  /**
+   * Whether each innermost list holds a ring, {@code [x, y, x, y, …]}, rather than a point of many
+   * numbers: there is one only, or they are not equally long.
+   */
+  boolean isFlat() {
+    int lists = rings().stream().mapToInt(PointColumns::size).sum();
+    return depth == 2
+        && flat.size() == lists
+        && (lists == 1 || flat.stream().mapToInt(PointColumns::size).distinct().count() > 1);
   }
 
   /** All rings that have points, whichever polygon they are of. */

@@ -6,6 +6,7 @@ import dct.io.format.Input;
 import dct.io.format.Rows;
 import dct.io.format.Shapes;
 import dct.io.format.TriangleList;
+import dct.io.format.Triangulated;
 import dct.io.text.BadInputException;
 import dct.io.text.PlainText;
 import java.io.IOException;

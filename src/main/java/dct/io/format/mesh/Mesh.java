@@ -6,6 +6,7 @@ import dct.io.format.Rows;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.format.TriangleList;
+import dct.io.format.Triangulated;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

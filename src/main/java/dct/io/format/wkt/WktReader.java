@@ -158,12 +158,10 @@ final class WktReader {
     PointColumns columns = new PointColumns();
     list(
         () -> {
-          boolean inner = scanner.skip('(');
-          if (!inner && scanner.skipBlanks() == 'E') {
-            scanner.word(); // EMPTY
-            empty++;
+          if (isEmpty()) {
             return;
           }
+          boolean inner = scanner.skip('(');
           point(columns);
           if (inner) {
             close();
@@ -174,21 +172,39 @@ final class WktReader {
     }
   }
 
+  /** Whether EMPTY stands in the place of a list; it is read then. */
+  private boolean isEmpty() throws IOException {
+    int b = scanner.skipBlanks();
+    if (b != 'E' && b != 'e') {
+      return false;
+    }
+    String word = scanner.word();
+    if (!word.equals("EMPTY")) {
+      throw scanner.fault("\"" + Shown.word(word) + "\" stands where ( is missing; write it");
+    }
+    empty++;
+    return true;
+  }
+
   private void line() throws IOException {
+    if (isEmpty()) {
+      return;
+    }
     PointColumns columns = coordinates();
     boolean closed = columns.size() > 3 && columns.isClosed();
     add(closed ? Shape.Kind.RING : Shape.Kind.PATH, columns, closed);
   }
 
   private void polygon() throws IOException {
-    if (scanner.skipBlanks() == 'E' || scanner.peek() == 'e') {
-      scanner.word(); // EMPTY
-      empty++;
+    if (isEmpty()) {
       return;
     }
     boolean[] isHole = new boolean[1];
     list(
         () -> {
+          if (isEmpty()) {
+            return;
+          }
           PointColumns ring = coordinates();
           add(isHole[0] ? Shape.Kind.HOLE : Shape.Kind.RING, ring, ring.isClosed());
           isHole[0] = true;

@@ -1,20 +1,17 @@
-package dct.io.format.mesh;
+package dct.io.format;
 
 import dct.core.geometry.Points;
-import dct.io.format.PointColumns;
-import dct.io.format.Shape;
-import dct.io.format.StoredFaces;
-import dct.io.format.TriangleList;
 import java.util.Optional;
 
 /**
  * What the vertices of triangles are taken for: a polygon if all of them are on the rim and the rim
  * is not convex, or else sites.
  */
-final class Triangulated {
+public final class Triangulated {
   private Triangulated() {}
 
-  static Shape shape(String label, PointColumns vertices, TriangleList triangles) {
+  /** The shape of vertices with triangles. */
+  public static Shape shape(String label, PointColumns vertices, TriangleList triangles) {
     Points points = vertices.points();
     StoredFaces faces = triangles.faces(points);
     Shape.Kind kind = isConcave(points, faces.rim()) ? Shape.Kind.RING : Shape.Kind.SITES;
