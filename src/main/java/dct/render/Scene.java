@@ -408,7 +408,7 @@ public final class Scene {
    *
    * @param part the part, its border included
    */
-  int verticesIn(Viewport view, Box part, int enough) {
+  public int verticesIn(Viewport view, Box part, int enough) {
     boolean arrived =
         patch.isArrived()
             && part.holds(view.screenX(x(patch.site())), view.screenY(y(patch.site())));

@@ -3,9 +3,12 @@ package dct.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.degree.Mark;
+import dct.core.geometry.Points;
 import dct.ui.menu.CommandWindow;
 import dct.ui.solve.ResultFrame;
 import java.awt.Dialog;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
@@ -27,6 +30,27 @@ class ExplainWindowTest extends WindowTest {
     assertThat(marks).filteredOn(Mark.Vertex.class::isInstance).hasSizeGreaterThanOrEqualTo(5);
     robot.pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
     await("the marks are gone", () -> onEventThread(() -> canvas().marks().isEmpty()));
+  }
+
+  @Test
+  void theTextCoversNoVertexOfThePicture() {
+    choose("Point Sites Based");
+    check("Draw Vertex");
+    clickAt(40, 60, 980, 80, 960, 350, 985, 660, 500, 640, 60, 650, 400, 300);
+    perform(window, "Why?");
+    text("why");
+    Rectangle on =
+        onEventThread(
+            () -> {
+              Rectangle bounds = dialogs("why").get(0).getBounds();
+              Point corner = canvas().getLocationOnScreen();
+              bounds.translate(-corner.x, -corner.y);
+              return bounds;
+            });
+    Points points = points();
+    for (int v = 0; v < points.size(); v++) {
+      assertThat(on.contains(at(canvas(), points.x(v), points.y(v)))).as("v" + v).isFalse();
+    }
   }
 
   @Test

@@ -1,16 +1,17 @@
 package dct.ui.explain;
 
+import dct.core.geometry.Box;
+import dct.ui.canvas.CanvasPanel;
+import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.Font;
-import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
 import java.awt.Rectangle;
-import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -28,7 +29,15 @@ import javax.swing.SwingUtilities;
  */
 final class TextDialog extends JDialog {
   private static final long serialVersionUID = 1L;
-  private static final Dimension SIZE = new Dimension(460, 360);
+  private static final Dimension SIZE = new Dimension(460, 360); // of the text
+
+  // The sizes that the dialog may have instead, so that it covers no vertex.
+  private static final Dimension UPRIGHT = new Dimension(340, 520);
+  private static final Dimension NARROW = new Dimension(272, 640);
+  private static final Dimension LOW = new Dimension(640, 220);
+
+  private static final int AROUND = 24; // pixels round a vertex, for its ring and its label
+  private static final int MANY = 200; // it does not matter how many more
 
   /**
    * A dialog that is not visible yet.
@@ -65,6 +74,7 @@ final class TextDialog extends JDialog {
   private static JLabel heading(String text) {
     JLabel label = new JLabel(text);
     label.setName("heading");
+    label.setToolTipText(text); // where it does not fit
     label.setFont(label.getFont().deriveFont(Font.BOLD));
     label.setBorder(BorderFactory.createEmptyBorder(12, 12, 6, 12));
     return label;
@@ -81,30 +91,32 @@ final class TextDialog extends JDialog {
     return row;
   }
 
-  /** Shows it to the right of its window, or else where it covers the least of a component. */
-  void showBeside(Component picture) {
-    Rectangle screen = usable();
-    Window owner = getOwner();
-    int right = owner.getX() + owner.getWidth();
-    int edge = screen.x + screen.width - getWidth();
-    int x = Math.max(screen.x, Math.min(right, edge));
-    int bottom = picture.getLocationOnScreen().y + picture.getHeight();
-    boolean covers = x < right;
-    int y = covers ? bottom - getHeight() : owner.getY();
-    int lowest = screen.y + screen.height - getHeight();
-    setLocation(x, Math.max(screen.y, Math.min(y, lowest)));
+  /** Shows it beside its window, or else where it covers no vertex of a picture in it. */
+  void showBeside(CanvasPanel picture) {
+    Rectangle on = new Rectangle(picture.getLocationOnScreen(), picture.getSize());
+    setBounds(
+        TextPlace.of(
+            List.of(getSize(), UPRIGHT, NARROW, LOW),
+            Placement.usable(getOwner()),
+            getOwner().getBounds(),
+            on,
+            part -> vertices(picture, on, part)));
     setVisible(true);
     SwingUtilities.invokeLater(this::toFront);
   }
 
-  private Rectangle usable() {
-    GraphicsConfiguration configuration = getOwner().getGraphicsConfiguration();
-    Rectangle screen = configuration.getBounds();
-    Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(configuration);
-    return new Rectangle(
-        screen.x + bars.left,
-        screen.y + bars.top,
-        screen.width - bars.left - bars.right,
-        screen.height - bars.top - bars.bottom);
+  /** How many vertices, with what is written beside them, are seen in a part of the screen. */
+  private static int vertices(CanvasPanel picture, Rectangle on, Rectangle part) {
+    Rectangle common = part.intersection(on);
+    if (common.isEmpty() || !picture.scene().isAtHand()) {
+      return common.isEmpty() ? 0 : MANY;
+    }
+    Box box =
+        new Box(
+            common.x - on.x,
+            common.y - on.y,
+            common.x - on.x + common.width,
+            common.y - on.y + common.height);
+    return picture.scene().verticesIn(picture.viewport(), box.grown(AROUND), MANY);
   }
 }

@@ -1,0 +1,64 @@
+package dct.ui.explain;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Where the text of an explanation goes, as rectangles. */
+class TextPlaceTest {
+  private static final Rectangle SCREEN = new Rectangle(0, 0, 1024, 768);
+  private static final Rectangle PICTURE = new Rectangle(0, 76, 750, 656);
+  private static final List<Dimension> SIZES =
+      List.of(new Dimension(460, 440), new Dimension(274, 600));
+
+  @Test
+  void itGoesBesideAWindowThatLeavesRoom() {
+    Rectangle window = new Rectangle(10, 20, 500, 700);
+    assertThat(place(window, List.of())).isEqualTo(new Rectangle(510, 20, 460, 440));
+    Rectangle atTheRight = new Rectangle(524, 20, 500, 700);
+    assertThat(place(atTheRight, List.of())).isEqualTo(new Rectangle(64, 20, 460, 440));
+  }
+
+  @Test
+  void itCoversNoVertexWhereItCanBeAvoided() {
+    List<Point> hull = List.of(new Point(20, 300), new Point(730, 700), new Point(700, 100));
+    Rectangle place = place(SCREEN, hull);
+    assertThat(hull).noneMatch(place::contains);
+    assertThat(SCREEN.contains(place)).isTrue();
+  }
+
+  @Test
+  void itGetsNarrowerRatherThanCoverAVertex() {
+    List<Point> many =
+        List.of(
+            new Point(740, 700),
+            new Point(740, 500),
+            new Point(740, 300),
+            new Point(740, 100),
+            new Point(10, 700),
+            new Point(10, 500),
+            new Point(10, 300),
+            new Point(10, 100));
+    assertThat(place(SCREEN, many)).isEqualTo(new Rectangle(750, 132, 274, 600));
+  }
+
+  @Test
+  void itCoversAsFewAsItCan() {
+    List<Point> many = List.of(new Point(760, 400), new Point(10, 400), new Point(11, 400));
+    Rectangle place =
+        TextPlace.of(SIZES.subList(0, 1), SCREEN, SCREEN, PICTURE, r -> count(r, many));
+    assertThat(many.stream().filter(place::contains)).hasSizeLessThan(2);
+  }
+
+  private static Rectangle place(Rectangle window, List<Point> vertices) {
+    return TextPlace.of(SIZES, SCREEN, window, PICTURE, r -> count(r, vertices));
+  }
+
+  private static int count(Rectangle part, List<Point> vertices) {
+    return (int) vertices.stream().filter(part::contains).count();
+  }
+}
