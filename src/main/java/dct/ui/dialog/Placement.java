@@ -98,16 +98,27 @@ public final class Placement {
 
   /** Gives a window the size of another, a step lower and further right if there is room. */
   public static void below(JFrame window, JFrame other) {
-    window.setSize(other.getSize());
-    Rectangle screen = usable(other);
-    int x = other.getX() + STEP;
-    int y = other.getY() + STEP;
-    boolean room =
-        x + window.getWidth() <= screen.x + screen.width
-            && y + window.getHeight() <= screen.y + screen.height;
-    boolean corner = other.getX() == screen.x && other.getY() == screen.y;
-    window.setLocation(room || corner ? x : screen.x, room || corner ? y : screen.y);
+    window.setBounds(below(other.getBounds(), usable(other)));
     setPlaced(window);
+  }
+
+  /**
+   * The bounds of a window of the size of another, all of it on the screen: a step lower and
+   * further right, or in the corner where there is no room for that. Where the other one is in the
+   * corner itself, the window becomes smaller, so that both titles can be seen.
+   */
+  static Rectangle below(Rectangle other, Rectangle screen) {
+    Rectangle step = new Rectangle(other.x + STEP, other.y + STEP, other.width, other.height);
+    if (screen.contains(step)) {
+      return step;
+    }
+    boolean corner = other.x - screen.x < STEP && other.y - screen.y < STEP;
+    int aside = corner ? STEP : 0;
+    return new Rectangle(
+        screen.x + aside,
+        screen.y + aside,
+        Math.min(other.width, screen.width - aside),
+        Math.min(other.height, screen.height - aside));
   }
 
   /** Says that somebody has chosen the place and size of a window. */

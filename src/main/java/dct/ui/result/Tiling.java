@@ -44,10 +44,56 @@ public final class Tiling {
   }
 
   /**
+   * The place of a window of this size: in free room, or else where it covers the least, but none
+   * of the controls, for which it may have to be smaller.
+   *
+   * @param controls what should not be covered
+   */
+  public static Rectangle place(
+      Dimension size, Rectangle screen, List<Rectangle> controls, List<Obstacle> obstacles) {
+    Rectangle free = place(size, screen, obstacles);
+    if (covered(free, obstacles) == 0) {
+      return free;
+    }
+    Rectangle room = without(screen, controls);
+    int width = Math.min(size.width, room.width);
+    int height = Math.min(size.height, room.height);
+    return place(new Dimension(width, height), room, obstacles);
+  }
+
+  /** The largest part of a screen that holds none of these; all of it if each part is too small. */
+  static Rectangle without(Rectangle screen, List<Rectangle> controls) {
+    TreeSet<Integer> xs = new TreeSet<>(List.of(screen.x, screen.x + screen.width));
+    TreeSet<Integer> ys = new TreeSet<>(List.of(screen.y, screen.y + screen.height));
+    for (Rectangle control : controls) {
+      Rectangle seen = control.intersection(screen);
+      if (!seen.isEmpty()) {
+        xs.addAll(List.of(seen.x, seen.x + seen.width));
+        ys.addAll(List.of(seen.y, seen.y + seen.height));
+      }
+    }
+    return spans(xs, LEAST_WIDTH)
+        .flatMap(x -> spans(ys, LEAST_HEIGHT).map(y -> part(x, y)))
+        .filter(part -> controls.stream().noneMatch(part::intersects))
+        .max(Comparator.comparingInt(part -> part.width * part.height))
+        .orElse(screen);
+  }
+
+  /** The pairs of these places that are so far apart or more. */
+  private static Stream<Point> spans(NavigableSet<Integer> places, int least) {
+    return places.stream()
+        .flatMap(from -> places.tailSet(from + least).stream().map(to -> new Point(from, to)));
+  }
+
+  private static Rectangle part(Point x, Point y) {
+    return new Rectangle(x.x, y.x, x.y - x.x, y.y - y.x);
+  }
+
+  /**
    * The place on the screen where a window of this size covers the least; of several, the highest,
    * and of these the leftmost. Quadratic in the number of obstacles, and each is looked at again.
    */
-  public static Rectangle place(Dimension size, Rectangle screen, List<Obstacle> obstacles) {
+  static Rectangle place(Dimension size, Rectangle screen, List<Obstacle> obstacles) {
     TreeSet<Integer> xs = new TreeSet<>();
     TreeSet<Integer> ys = new TreeSet<>();
     addPlaces(xs, screen.x, screen.width, size.width);
@@ -91,10 +137,31 @@ public final class Tiling {
 
   /**
    * The places of a window and of a new one of its size beside it: the first stays where it is if
+   * there is room for the new one on one of its sides, or anywhere. Else they share what is left of
+   * the screen beside the controls.
+   *
+   * @param controls what should not be covered
+   * @param obstacles what else is on the screen, the first window included
+   */
+  public static Pair pair(
+      Rectangle first, Rectangle screen, List<Rectangle> controls, List<Obstacle> obstacles) {
+    Pair adjacent = pair(first, screen);
+    if (adjacent.first().equals(first)
+        && controls.stream().noneMatch(adjacent.second()::intersects)) {
+      return adjacent;
+    }
+    Rectangle free = place(first.getSize(), screen, obstacles);
+    return covered(free, obstacles) == 0
+        ? new Pair(first, free)
+        : pair(first, without(screen, controls));
+  }
+
+  /**
+   * The places of a window and of a new one of its size beside it: the first stays where it is if
    * there is room on one of its sides, or else moves just as far as it has to; where two of its
    * width have no room beside each other, both become narrower.
    */
-  public static Pair pair(Rectangle first, Rectangle screen) {
+  static Pair pair(Rectangle first, Rectangle screen) {
     int width = Math.min(first.width, screen.width / 2);
     int height = Math.min(first.height, screen.height);
     int y = within(first.y, screen.y, screen.height, height);

@@ -29,6 +29,8 @@ public final class FrameHost implements ViewHost {
   private static final int DRAWN = 2;
   private static final int CONTROLS = 3;
   private static final int VIEW = 4;
+  private static final int TITLE = 60; // of a view
+  private static final int TITLE_HEIGHT = 28;
 
   private final JFrame owner;
   private final CanvasPanel canvas;
@@ -58,37 +60,36 @@ public final class FrameHost implements ViewHost {
   }
 
   private void place(ResultFrame frame, Optional<ResultFrame> beside) {
-    Rectangle screen = Placement.usable(owner);
     if (beside.isPresent()) {
-      placeBeside(frame, beside.get(), screen);
+      placeBeside(frame, beside.get());
     } else {
-      Dimension size = Tiling.size(frame.getSize(), 1, screen);
-      frame.setBounds(Tiling.place(size, screen, obstacles(frame)));
+      place(frame, 1);
     }
   }
 
-  private void placeBeside(ResultFrame frame, ResultFrame other, Rectangle screen) {
-    Rectangle old = other.getBounds();
-    Tiling.Pair pair = Tiling.pair(old, screen);
-    Rectangle free = Tiling.place(old.getSize(), screen, obstacles(frame));
-    if (pair.first().equals(old) || free.intersects(old)) {
-      other.setBounds(pair.first());
-      frame.setBounds(pair.second());
-    } else {
-      frame.setBounds(free);
-    }
+  /** Places one of so many frames that are opened together. */
+  private void place(ResultFrame frame, int together) {
+    Rectangle screen = Placement.usable(owner);
+    Dimension size = Tiling.size(frame.getSize(), together, screen);
+    frame.setBounds(Tiling.place(size, screen, controls(), obstacles(frame)));
+  }
+
+  private void placeBeside(ResultFrame frame, ResultFrame other) {
+    Rectangle screen = Placement.usable(owner);
+    Tiling.Pair pair = Tiling.pair(other.getBounds(), screen, controls(), obstacles(frame));
+    other.setBounds(pair.first());
+    other.validate();
+    frame.setBounds(pair.second());
     other.toFront();
   }
 
   @Override
   public void showAll(List<ResultView> views) {
-    Rectangle screen = Placement.usable(owner);
     for (ResultView view : views) {
       ResultFrame frame = new ResultFrame(view);
       frames.put(view, frame);
       frame.pack();
-      Dimension size = Tiling.size(frame.getSize(), views.size(), screen);
-      frame.setBounds(Tiling.place(size, screen, obstacles(frame)));
+      place(frame, views.size());
       frame.setVisible(true);
     }
   }
@@ -98,9 +99,12 @@ public final class FrameHost implements ViewHost {
     for (Window window : Window.getWindows()) {
       if (window.isShowing() && window != without) {
         obstacles.add(new Obstacle(window.getBounds(), weight(window)));
+        if (window instanceof ResultFrame) {
+          obstacles.add(new Obstacle(titleBar(window), TITLE));
+        }
       }
     }
-    controls().forEach(part -> obstacles.add(new Obstacle(onScreen(part), CONTROLS)));
+    controls().forEach(part -> obstacles.add(new Obstacle(part, CONTROLS)));
     drawn().ifPresent(box -> obstacles.add(new Obstacle(box, DRAWN)));
     return obstacles;
   }
@@ -112,17 +116,23 @@ public final class FrameHost implements ViewHost {
     return window instanceof Dialog ? CONTROLS : WINDOW;
   }
 
-  private List<Component> controls() {
+  /** By which a window is found and moved. */
+  private static Rectangle titleBar(Window window) {
+    return new Rectangle(window.getX(), window.getY(), window.getWidth(), TITLE_HEIGHT);
+  }
+
+  /** The menus, tools and buttons of the main window, where they are on the screen. */
+  private List<Rectangle> controls() {
     List<Component> controls = new ArrayList<>();
     controls.add(owner.getJMenuBar());
     if (owner.getContentPane().getLayout() instanceof BorderLayout layout) {
+      controls.add(layout.getLayoutComponent(BorderLayout.NORTH));
       controls.add(layout.getLayoutComponent(BorderLayout.EAST));
     }
-    return controls.stream().filter(part -> part != null && part.isShowing()).toList();
-  }
-
-  private static Rectangle onScreen(Component part) {
-    return new Rectangle(part.getLocationOnScreen(), part.getSize());
+    return controls.stream()
+        .filter(part -> part != null && part.isShowing())
+        .map(part -> new Rectangle(part.getLocationOnScreen(), part.getSize()))
+        .toList();
   }
 
   /** Where the points are drawn. */

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Where windows lie on the screen. */
 class PlacementTest {
   private static final Rectangle SCREEN = new Rectangle(0, 30, 1024, 738);
+  private static final Rectangle SECOND = new Rectangle(1920, 0, 1280, 1024);
 
   @Test
   void aSmallDialogLiesOverTheMiddleOfItsWindow() {
@@ -26,5 +28,35 @@ class PlacementTest {
         .isEqualTo(new Point(24, 68));
     assertThat(Placement.over(SCREEN.getSize(), new Rectangle(500, 500, 100, 100), SCREEN))
         .isEqualTo(SCREEN.getLocation());
+  }
+
+  @Test
+  void aNewWindowIsAStepLowerAndFurtherRight() {
+    assertThat(Placement.below(new Rectangle(100, 100, 600, 400), SCREEN))
+        .isEqualTo(new Rectangle(136, 136, 600, 400));
+    assertThat(Placement.below(new Rectangle(2000, 100, 900, 700), SECOND))
+        .isEqualTo(new Rectangle(2036, 136, 900, 700));
+  }
+
+  @Test
+  void noNewWindowHangsOverAnEdgeOfTheScreen() {
+    for (Rectangle screen : List.of(SCREEN, SECOND)) {
+      for (int x = -200; x < screen.width; x += 77) {
+        for (int y = -100; y < screen.height; y += 77) {
+          for (Dimension size :
+              List.of(new Dimension(600, 400), screen.getSize(), new Dimension(1278, 850))) {
+            Rectangle other = new Rectangle(screen.x + x, screen.y + y, size.width, size.height);
+            Rectangle placed = Placement.below(other, screen);
+            assertThat(screen.contains(placed)).as(other + " " + placed).isTrue();
+            assertThat(placed.getLocation()).isNotEqualTo(other.getLocation());
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void overAWindowThatFillsTheScreenTheNewOneLeavesItsTitleInSight() {
+    assertThat(Placement.below(SCREEN, SCREEN)).isEqualTo(new Rectangle(36, 66, 988, 702));
   }
 }
