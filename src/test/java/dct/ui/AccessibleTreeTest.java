@@ -2,59 +2,121 @@ package dct.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dct.ui.canvas.CanvasPanel;
+import dct.core.geometry.Points;
+import dct.ui.command.Command;
+import dct.ui.document.Edit;
+import dct.ui.document.Editor;
 import dct.ui.menu.CommandWindow;
 import dct.ui.solve.ResultFrame;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
+import java.awt.Frame;
 import java.awt.Window;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
-import javax.swing.AbstractButton;
-import javax.swing.JComboBox;
-import javax.swing.JProgressBar;
-import javax.swing.JScrollBar;
-import javax.swing.JSlider;
-import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
-import javax.swing.JTable;
-import javax.swing.text.JTextComponent;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
-/** What a screen reader finds: every control and every canvas has a name. */
+/** What a screen reader finds, and how the keyboard leaves it, in all that commands open. */
 class AccessibleTreeTest extends WindowTest {
   private static final double[] DRAWN = {
     100, 100, 300, 60, 500, 120, 560, 300, 800, 200, 900, 400, 850, 600, 600, 650, 450, 500, 200,
     620, 80, 400
   };
 
-  private static final List<Class<?>> CONTROLS =
+  /** The commands by which a dialog opens, whatever the application. */
+  private static final List<String> DIALOGS =
       List.of(
-          AbstractButton.class,
-          CanvasPanel.class,
-          JComboBox.class,
-          JProgressBar.class,
-          JSlider.class,
-          JSpinner.class,
-          JTabbedPane.class,
-          JTable.class,
-          JTextComponent.class);
+          "New",
+          "Open",
+          "Save",
+          "Save As",
+          "Export Picture",
+          "Exit",
+          "Wished Parities…",
+          "Search Options…",
+          "Point Sites…",
+          "Polygons…",
+          "Snap Settings…",
+          "Compare Results…",
+          "Table of Results",
+          "Why?",
+          "Verify Result",
+          "Check Input",
+          "Copy as Command Line", // cannot be, of a drawing that is in no file
+          "Commands and Keys",
+          "Find Command…",
+          "About");
+
+  private static final List<String> DIALOGS_OF_SITES =
+      List.of(
+          "Random Sites",
+          "Save Flips…",
+          "Load Flips…",
+          "Apply Copied Flips", // cannot be, since the triangulation has them already
+          "Paste"); // cannot be, since flips are no points
+
+  private static final List<String> DIALOGS_OF_POLYGONS = List.of("Random Polygon…");
+
+  /** The commands by which a frame opens. */
+  private static final List<String> FRAMES =
+      List.of(
+          "New Window",
+          "Convex Polygon Even Triangulation",
+          "Convex Polygon Odd Triangulation",
+          "Monotone Polygon Triangulation",
+          "Ear Clipping Triangulation",
+          "Convex Partition",
+          "Monotone Partition",
+          "Perform Flip",
+          "Most Even Vertices",
+          "Most Odd Vertices");
+
+  /** The commands of the frame of a result by which a dialog opens. */
+  private static final List<String> OF_RESULTS =
+      List.of(
+          "Export Picture",
+          "Save Flips…",
+          "Load Flips…",
+          "Compare Results…",
+          "Table of Results",
+          "Why?",
+          "Verify Result");
 
   @Test
   void theMainWindowAndItsResultsAreNamed() {
-    requireNamed(window, 10);
+    AccessLaws.requireNamed(window, 10);
     draw("Polygon Based");
-    ResultFrame frame = pushForResult("Perform Flip");
-    perform(frame, "Flips");
-    requireNamed(frame, 8);
+    ResultFrame result = pushForResult("Perform Flip");
+    perform(result, "Flips");
+    AccessLaws.requireNamed(result, 8);
     draw("Point Sites Based");
     perform(window, "Perform Flip");
     perform(window, "Flips");
-    requireNamed(window, 20);
+    JTabbedPane tabs = frame.tabbedPane("tabs").target();
+    for (int tab = 0; tab < tabs.getTabCount(); tab++) {
+      int index = tab;
+      onEventThread(
+          () -> {
+            tabs.setSelectedIndex(index);
+            return null;
+          });
+      AccessLaws.requireNamed(window, 20);
+    }
+  }
+
+  @Test
+  void resultsInTheWindowAreNamed() {
+    draw("Polygon Based");
+    perform(window, "Results in This Window");
+    perform(window, "Perform Flip");
+    perform(window, "Most Even Vertices");
+    for (String arrangement : List.of("Views Side by Side", "Views Stacked", "Views as Tabs")) {
+      perform(window, arrangement);
+      AccessLaws.requireNamed(window, 20);
+    }
   }
 
   @Test
@@ -81,86 +143,123 @@ class AccessibleTreeTest extends WindowTest {
   }
 
   @Test
-  void dialogsBesideTheWindowAreNamed() {
-    draw("Point Sites Based");
-    for (String command :
-        List.of(
-            "Commands and Keys", "Find Command…", "Why?", "Verify Result", "Table of Results")) {
-      List<Dialog> before = dialogs();
-      perform(window, command);
-      await(command, () -> dialogs().size() > before.size());
-      Dialog opened =
-          dialogs().stream().filter(dialog -> !before.contains(dialog)).findFirst().orElseThrow();
-      requireNamed(opened, 1);
-      onEventThread(
-          () -> {
-            opened.dispose();
-            return null;
-          });
-    }
+  void dialogsOfSitesAreNamedAndAnsweredByTheKeyboard() {
+    prepareSites();
+    requireDialogs(DIALOGS_OF_SITES);
   }
 
   @Test
-  void questionsAreNamed() {
-    draw("Point Sites Based");
-    for (String command :
-        List.of("Random Sites", "Search Options…", "Snap Settings…", "Wished Parities…")) {
-      onEventThread(
-          () -> {
-            javax.swing.SwingUtilities.invokeLater(() -> window.commands().get(command).perform());
-            return null;
-          });
-      await(command, () -> dialogs().size() == 1);
-      requireNamed(dialogs().get(0), 2);
-      onEventThread(
-          () -> {
-            dialogs().get(0).dispose();
-            return null;
-          });
-      await("closed", () -> dialogs().isEmpty());
+  void dialogsOfPolygonsAreNamedAndAnsweredByTheKeyboard() {
+    preparePolygon();
+    requireDialogs(DIALOGS_OF_POLYGONS);
+    ResultFrame result = (ResultFrame) results().get(0);
+    OF_RESULTS.forEach(command -> requireDialog(result, command));
+  }
+
+  @Test
+  void everyCommandForSitesThatOpensAWindowIsWalked() {
+    prepareSites();
+    requireNoOtherOpens();
+  }
+
+  @Test
+  void everyCommandForPolygonsThatOpensAWindowIsWalked() {
+    preparePolygon();
+    ResultFrame result = (ResultFrame) results().get(0);
+    for (Command command : result.commands().all()) {
+      boolean asks = command.id().endsWith("…");
+      assertThat(asks && !OF_RESULTS.contains(command.id())).as(command.id()).isFalse();
+    }
+    requireNoOtherOpens();
+  }
+
+  @Test
+  void framesThatCommandsOpenAreNamed() {
+    draw("Polygon Based");
+    for (String command : FRAMES) {
+      Window opened = open(window, command);
+      assertThat(((Frame) opened).getTitle()).isNotBlank();
+      AccessLaws.requireNamed(opened, 8);
     }
   }
 
-  private static List<Dialog> dialogs() {
-    return Arrays.stream(Window.getWindows())
-        .filter(each -> each instanceof Dialog && each.isShowing())
-        .map(Dialog.class::cast)
-        .toList();
+  private void requireDialogs(List<String> more) {
+    Stream.of(DIALOGS, more)
+        .flatMap(List::stream)
+        .forEach(command -> requireDialog(window, command));
   }
 
-  /** Every showing control of a window has a name; there are so many of them at least. */
-  private static void requireNamed(Window of, int atLeast) {
-    List<Component> controls = new ArrayList<>();
+  private void requireDialog(CommandWindow of, String command) {
+    Dialog opened = (Dialog) open(of, command);
+    AccessLaws.requireAnswerable(opened);
+    AccessLaws.closeByEscape(opened);
+    robot.waitForIdle();
+  }
+
+  /** Performs a command, and returns the window that it opens. */
+  private Window open(CommandWindow of, String command) {
+    assertThat(of.commands().get(command).isEnabled()).as(command + " is enabled").isTrue();
+    Window opened = AccessLaws.open(command, () -> of.commands().get(command).perform());
+    robot.waitForIdle();
+    return opened;
+  }
+
+  /** Performs every command but those that open something, and finds that no window opens. */
+  private void requireNoOtherOpens() {
+    List<String> open =
+        Stream.of(DIALOGS, DIALOGS_OF_SITES, DIALOGS_OF_POLYGONS, FRAMES)
+            .flatMap(List::stream)
+            .toList();
+    Points points = points();
+    for (Command command : window.commands().all()) {
+      String id = command.id();
+      if (!open.contains(id)) {
+        assertThat(id).as("a command that asks").doesNotEndWith("…");
+        List<Window> before = AccessLaws.windows();
+        SwingUtilities.invokeLater(command::perform);
+        settle();
+        assertThat(AccessLaws.windows()).as("windows after " + id).isSubsetOf(before);
+        restore(points);
+      }
+    }
+  }
+
+  private void restore(Points points) {
     onEventThread(
         () -> {
-          collect(of, controls);
+          Editor editor = window.workbench().active().orElseThrow();
+          if (!editor.document().points().equals(points)) {
+            editor.perform(Edit.replace("Restore", editor.document(), points));
+          }
           return null;
         });
-    assertThat(controls).as("controls of " + of.getName()).hasSizeGreaterThanOrEqualTo(atLeast);
-    for (Component control : controls) {
-      AccessibleContext context = control.getAccessibleContext();
-      String name = onEventThread(context::getAccessibleName);
-      assertThat(name).as("%s %s", control.getName(), control.getClass()).isNotBlank();
+    settle();
+  }
+
+  private void prepareSites() {
+    draw("Point Sites Based");
+    for (String command : List.of("Most Even Vertices", "Delaunay", "Perform Flip", "Copy Flips")) {
+      perform(window, command);
     }
   }
 
-  private static void collect(Container container, List<Component> controls) {
-    for (Component child : container.getComponents()) {
-      boolean isControl = CONTROLS.stream().anyMatch(kind -> kind.isInstance(child));
-      if (isControl && child.isShowing()) {
-        controls.add(child);
-      }
-      boolean isWhole = child instanceof JSpinner || child instanceof JComboBox;
-      if (child instanceof Container inner && !isWhole && !(child instanceof JScrollBar)) {
-        collect(inner, controls);
-      }
+  private void preparePolygon() {
+    draw("Polygon Based");
+    for (String command : List.of("Perform Flip", "Most Even Vertices")) {
+      open(window, command);
+      settle();
     }
   }
 
   private void draw(String application) {
     choose(application);
-    check("Draw Vertex");
-    clickAt(DRAWN);
+    onEventThread(
+        () -> {
+          Editor editor = window.workbench().active().orElseThrow();
+          editor.perform(Edit.replace("Draw", editor.document(), Points.ofPairs(DRAWN)));
+          return null;
+        });
+    settle();
   }
 
   private void perform(CommandWindow of, String command) {

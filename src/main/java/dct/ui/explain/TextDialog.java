@@ -2,6 +2,7 @@ package dct.ui.explain;
 
 import dct.core.geometry.Box;
 import dct.ui.canvas.CanvasPanel;
+import dct.ui.command.EscapeKey;
 import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -10,17 +11,14 @@ import java.awt.Font;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Window;
-import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
 /**
@@ -63,11 +61,7 @@ final class TextDialog extends JDialog {
     add(scroll, BorderLayout.CENTER);
     add(buttons(), BorderLayout.SOUTH);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-    getRootPane()
-        .registerKeyboardAction(
-            e -> dispose(),
-            KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-            JComponent.WHEN_IN_FOCUSED_WINDOW);
+    EscapeKey.closes(this);
     pack();
   }
 

@@ -1,5 +1,6 @@
 package dct.ui.result;
 
+import dct.ui.command.EscapeKey;
 import dct.ui.document.Result;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -15,13 +16,11 @@ import java.util.stream.IntStream;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
 
@@ -119,11 +118,8 @@ public final class ResultTable extends JDialog {
             });
     copy.addActionListener(e -> copy());
     compare.addActionListener(e -> compare());
-    getRootPane()
-        .registerKeyboardAction(
-            e -> setVisible(false),
-            KeyStroke.getKeyStroke("ESCAPE"),
-            JComponent.WHEN_IN_FOCUSED_WINDOW);
+    getRootPane().setDefaultButton(compare);
+    EscapeKey.closes(this);
   }
 
   private void layOut() {

@@ -5,6 +5,7 @@ import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyRow;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
+import dct.ui.command.EscapeKey;
 import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -105,6 +106,7 @@ public final class StudyDialog extends JDialog {
 
   private JComponent bottom() {
     progress.setName("progress");
+    progress.getAccessibleContext().setAccessibleName("Progress of the study");
     progress.setStringPainted(true);
     JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, MARGIN, 0));
     buttons.add(start);
@@ -122,6 +124,7 @@ public final class StudyDialog extends JDialog {
     export.addActionListener(e -> export());
     charts.addActionListener(e -> showChart());
     getRootPane().setDefaultButton(start);
+    EscapeKey.closes(this);
     addWindowListener(
         new WindowAdapter() {
           @Override
