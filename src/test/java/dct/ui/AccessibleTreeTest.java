@@ -34,6 +34,7 @@ class AccessibleTreeTest extends WindowTest {
           "Save",
           "Save As",
           "Export Picture",
+          "Export Data",
           "Exit",
           "Wished Parities…",
           "Search Options…",
