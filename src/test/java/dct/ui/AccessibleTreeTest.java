@@ -11,6 +11,7 @@ import dct.ui.solve.ResultFrame;
 import java.awt.Dialog;
 import java.awt.Frame;
 import java.awt.Window;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
@@ -35,6 +36,7 @@ class AccessibleTreeTest extends WindowTest {
           "Save As",
           "Export Picture",
           "Export Data",
+          "Close Window",
           "Exit",
           "Wished Parities…",
           "Search Options…",
@@ -78,7 +80,10 @@ class AccessibleTreeTest extends WindowTest {
   /** The commands of the frame of a result by which a dialog opens. */
   private static final List<String> OF_RESULTS =
       List.of(
+          "Save",
+          "Save As",
           "Export Picture",
+          "Export Data",
           "Save Flips…",
           "Load Flips…",
           "Compare Results…",
@@ -207,22 +212,33 @@ class AccessibleTreeTest extends WindowTest {
 
   /** Performs every command but those that open something, and finds that no window opens. */
   private void requireNoOtherOpens() {
-    List<String> open =
+    List<String> walked =
         Stream.of(DIALOGS, DIALOGS_OF_SITES, DIALOGS_OF_POLYGONS, FRAMES)
             .flatMap(List::stream)
             .toList();
+    List<String> missing = new ArrayList<>();
     Points points = points();
     for (Command command : window.commands().all()) {
-      String id = command.id();
-      if (!open.contains(id)) {
-        assertThat(id).as("a command that asks").doesNotEndWith("…");
-        List<Window> before = AccessLaws.windows();
-        SwingUtilities.invokeLater(command::perform);
-        settle();
-        assertThat(AccessLaws.windows()).as("windows after " + id).isSubsetOf(before);
-        restore(points);
+      if (!walked.contains(command.id()) && asks(command)) {
+        missing.add(command.id());
       }
+      restore(points);
     }
+    assertThat(missing).as("commands that ask, and are in none of the lists above").isEmpty();
+  }
+
+  /** Whether a command says that it asks, or opens a window. */
+  private boolean asks(Command command) {
+    List<Window> before = AccessLaws.windows();
+    SwingUtilities.invokeLater(command::perform);
+    settle();
+    List<Window> opened = AccessLaws.windows().stream().filter(w -> !before.contains(w)).toList();
+    onEventThread(
+        () -> {
+          opened.forEach(Window::dispose);
+          return null;
+        });
+    return command.id().endsWith("…") || !opened.isEmpty();
   }
 
   private void restore(Points points) {
