@@ -6,6 +6,8 @@ import dct.ui.command.CommandRegistry;
 import dct.ui.file.Samples;
 import java.awt.Component;
 import java.awt.FlowLayout;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.FocusEvent;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +20,7 @@ import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.SwingUtilities;
 
 /** Says in the middle of an empty canvas what to do with it, and offers something to begin with. */
 final class Invitation extends JPanel {
@@ -77,10 +80,15 @@ final class Invitation extends JPanel {
    * @param drawing whether a click draws
    */
   void show(Optional<Domain> domain, boolean empty, boolean drawing) {
+    Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    boolean held = focused != null && SwingUtilities.isDescendingFrom(focused, this);
     for (Card card : Card.values()) {
       cards.get(card).setVisible(empty && card == Card.of(domain));
       boolean other = card != Card.START && !drawing;
       titles.get(card).setText(other ? "Choose Draw Vertex to draw" : card.title);
+    }
+    if (held && !focused.isShowing()) {
+      getParent().requestFocusInWindow(FocusEvent.Cause.TRAVERSAL); // the canvas, to draw on
     }
   }
 

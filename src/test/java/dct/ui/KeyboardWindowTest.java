@@ -9,6 +9,7 @@ import dct.ui.help.CommandList;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.Window;
+import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,6 +21,7 @@ import javax.swing.JMenu;
 import javax.swing.JTextField;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 import org.junit.jupiter.api.Test;
 
 /** The window in the hand of somebody who has no mouse. */
@@ -134,6 +136,31 @@ class KeyboardWindowTest extends WindowTest {
     awaitFocus("searchCommands");
     keys(KeyEvent.VK_ESCAPE);
     await("the list has gone", () -> !isOpen(CommandList.class));
+  }
+
+  @Test
+  void theCanvasHasALineRoundItWhenTheKeyboardReachesIt() {
+    int accent = onEventThread(() -> UIManager.getColor("Component.accentColor").getRGB());
+    onEventThread(() -> canvas().requestFocusInWindow(FocusEvent.Cause.TRAVERSAL_FORWARD));
+    await("the line", () -> capture(canvas()).getRGB(1, 300) == accent);
+    clickAt(500, 300);
+    await("no line", () -> capture(canvas()).getRGB(1, 300) != accent);
+    assertThat(onEventThread(canvas()::isFocusOwner)).isTrue();
+  }
+
+  @Test
+  void theCanvasHasTheFocusAfterAnInvitationThatIsTaken() {
+    robot.focusAndWaitForFocusGain(
+        robot.finder().findByName(canvas(), "Open, Degree Constrained Triangulation"));
+    onEventThread(
+        () -> {
+          window.commands().get("Polygon Based").perform();
+          return null;
+        });
+    await("the canvas has the keyboard", () -> onEventThread(canvas()::isFocusOwner));
+    type(KeyEvent.VK_DOWN, KeyEvent.VK_SHIFT);
+    type(KeyEvent.VK_SPACE);
+    assertThat(points().size()).isEqualTo(1);
   }
 
   @Test

@@ -37,6 +37,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   public static final int HEIGHT_AT_FIRST = 700;
 
   private final transient SceneImage image = new SceneImage(this::repaint);
+  private final transient FocusRing ring = new FocusRing(this);
   private final transient List<Runnable> viewListeners = new ArrayList<>();
   private transient Scene given = Scene.sites(Points.ofPairs());
   private transient Scene scene = given; // with the labels
@@ -297,6 +298,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
     tellAside(String.join("   ", notes.aside(scene, corner)));
     overlays.forEach(overlay -> overlay.accept(pen));
     graphics.dispose();
+    ring.paint(g);
   }
 
   /** Other components change after the painting, not within it. */
