@@ -5,6 +5,8 @@ import dct.core.degree.Optimum;
 import dct.core.triangulate.Domain;
 import dct.io.PointDocument;
 import dct.io.ResultJson;
+import dct.io.text.BadInputException;
+import dct.io.text.Shown;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
@@ -13,18 +15,22 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** {@code dct triangulate}: an algorithm, perhaps flips, and what came out. */
 final class TriangulateCommand extends Verb {
+  private static final String AS_READ = "as-read";
+
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec algorithm =
       option(
           "--algorithm",
           "A",
-          Arrays.stream(Method.values()).map(Method::word).toList(),
+          Stream.concat(Arrays.stream(Method.values()).map(Method::word), Stream.of(AS_READ))
+              .toList(),
           "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points"
-              + " delaunay (default and only).");
+              + " delaunay (default); as-read takes the triangulation that the input holds.");
   private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
   private final OptimizeParameters optimize = new OptimizeParameters(this);
   private final OptionSpec output =
@@ -58,10 +64,11 @@ final class TriangulateCommand extends Verb {
     optimize.check(input.name(), isSet(flip));
     Stopwatch watch = new Stopwatch();
     PointDocument document = input.read(Progress.NONE);
+    Optional<Solution> held = held(document);
     Instance instance = document.instance(Progress.NONE).named(input.name());
     checkNames(outputs, instance.domain());
     try (Interruption interruption = new Interruption()) {
-      Made made = make(instance, watch, progress(interruption, !isSet(quiet)));
+      Made made = make(instance, held, watch, progress(interruption, !isSet(quiet)));
       write(made, outputs, picture.figure(document.yUp()));
       if (interruption.isAsked()
           && made.solution.optimum().stream().anyMatch(Optimum::interrupted)) {
@@ -85,11 +92,37 @@ final class TriangulateCommand extends Verb {
   /** A solution and how long its steps took. */
   private record Made(Solution solution, Optional<ResultJson.Millis> millis) {}
 
-  private Made make(Instance instance, Stopwatch watch, Progress progress) throws IOException {
+  /** The triangulation that the input holds, if that is asked for. */
+  private Optional<Solution> held(PointDocument document) {
+    boolean isAsked = AS_READ.equals(algorithm.getValue());
+    if (!isAsked && document.isOwn()) {
+      return Optional.empty();
+    }
+    Optional<Solution> held = document.solution(Progress.NONE);
+    if (isAsked && held.isEmpty()) {
+      throw new BadInputException(
+          input.name(),
+          0,
+          "there is no triangulation in it, as --algorithm as-read takes; leave the option out");
+    }
+    if (!isAsked && held.isPresent()) {
+      console()
+          .err()
+          .println(
+              Shown.harmless(input.name())
+                  + ": its triangulation is left out; --algorithm as-read takes it");
+    }
+    return held.filter(solution -> isAsked);
+  }
+
+  private Made make(Instance instance, Optional<Solution> held, Stopwatch watch, Progress progress)
+      throws IOException {
     double read = watch.lap();
-    Method chosen = chosen(instance.domain());
     Instance asked = optimize.isAsked() ? optimize.wishedOf(instance) : instance;
-    Solution made = Solution.of(asked, chosen, progress);
+    Solution made =
+        held.isPresent()
+            ? Solution.read(asked, held.get().triangulation().plain())
+            : Solution.of(asked, chosen(instance.domain()), progress);
     double triangulate = watch.lap();
     Solution solution = post(made, progress);
     double post = isSet(flip) || optimize.isAsked() ? watch.lap() : 0;

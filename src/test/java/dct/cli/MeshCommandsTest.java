@@ -52,8 +52,29 @@ class MeshCommandsTest {
   }
 
   @Test
-  void its_points_are_triangulated_anew() {
-    assertThat(CliRun.of("triangulate", mesh).done().out()).contains("5 sites, delaunay: 8 edges");
+  void its_points_are_triangulated_anew_and_that_is_said() {
+    CliRun run = CliRun.of("triangulate", mesh);
+    assertThat(run.out()).contains("5 sites, delaunay: 8 edges");
+    assertThat(run.err())
+        .isEqualTo(mesh + ": its triangulation is left out; --algorithm as-read takes it\n");
+  }
+
+  @Test
+  void its_triangulation_can_be_flipped_and_optimized() throws IOException {
+    Files.writeString(folder.resolve("m.node"), NODES.replace("5 1 2", "5 2 1"));
+    Path result = folder.resolve("r.json");
+    assertThat(CliRun.of("triangulate", mesh, "--algorithm", "as-read").done().out())
+        .contains("5 sites, unknown: 8 edges");
+    for (String post : new String[] {"--flip", "--optimize=even"}) {
+      CliRun.of("triangulate", mesh, "--algorithm", "as-read", post, "-o", result).done();
+      assertThat(CliRun.of("verify", result).done().out()).contains("by an unknown method");
+      CliRun.of("triangulate", result, "--algorithm", "as-read").done();
+    }
+    CliRun none = CliRun.of("triangulate", folder.resolve("m.node"), "--algorithm", "as-read");
+    assertThat(none.err())
+        .endsWith(
+            "m.node: there is no triangulation in it, as --algorithm as-read takes; leave the"
+                + " option out\n");
   }
 
   @Test
