@@ -126,6 +126,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     bound = new BoundNote(canvas, workbench.jobs(), workbench::showsBound, workbench::inCanvas);
     offerCommands(host);
     flips = offerFlips();
+    inSight.shareWith(flips.panel());
     commands.bindKeys(getRootPane());
     east = new EastPanel(workbench, commands);
     invitation = new Invitation(commands, files::openSample);

@@ -8,6 +8,7 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
+import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
@@ -182,6 +183,34 @@ class FlipsWindowTest extends WindowTest {
 
   private Solution sites() {
     return onEventThread(() -> window.workbench().shown().solution().orElseThrow());
+  }
+
+  @Test
+  void theDrawingStaysInSightWhileTheFlipsAreListed() {
+    choose("Point Sites Based");
+    check("Draw Vertex");
+    clickAt(40, 40, 960, 60, 940, 660, 60, 640, 500, 350);
+    perform("Fit");
+    Viewport fitted = onEventThread(() -> canvas().viewport());
+    int height = canvas().getHeight();
+    perform("Flips");
+    await("less room", () -> canvas().getHeight() < height);
+    await("all is in sight", () -> onEventThread(() -> canvas().isAllInSight()));
+    perform("Flips");
+    await("the room is back", () -> canvas().getHeight() == height);
+    await("as before", () -> onEventThread(() -> canvas().viewport().equals(fitted)));
+
+    perform("Zoom In");
+    perform("Zoom In");
+    Viewport zoomed = onEventThread(() -> canvas().viewport());
+    perform("Flips");
+    await("less room", () -> canvas().getHeight() < height);
+    settle();
+    assertThat(onEventThread(() -> canvas().viewport())).isEqualTo(zoomed);
+    perform("Flips");
+    await("the room is back", () -> canvas().getHeight() == height);
+    settle();
+    assertThat(onEventThread(() -> canvas().viewport())).isEqualTo(zoomed);
   }
 
   private static Triangulation shown(ResultFrame result) {

@@ -11,6 +11,8 @@ import java.awt.Point;
 import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -89,6 +91,24 @@ class ViewsWindowTest extends WindowTest {
           return null;
         });
     assertThat(onEventThread(() -> session.settings().get("results.arrangement"))).hasValue("tabs");
+  }
+
+  @Test
+  void theTitleOfAViewUsesTheRoomThatThereIsAndIsWholeUnderTheMouse() {
+    draw();
+    perform("Results in This Window");
+    perform("Views as Tabs");
+    perform("Perform Flip");
+    await("the view", () -> views().size() == 1);
+    JLabel title = robot.finder().findByName(window, "title", JLabel.class, true);
+    assertThat(title.getText()).isEqualTo("Perform Flip after Monotone Polygon Triangulation");
+    await("all of it is seen", () -> title.getWidth() >= title.getPreferredSize().width);
+    JTabbedPane tabs = robot.finder().findByName(window, "results", JTabbedPane.class, true);
+    String whole = title.getText() + " · New polygon";
+    assertThat(tabs.getToolTipTextAt(0)).isEqualTo(whole);
+    perform("Views Side by Side");
+    JLabel above = robot.finder().findByName(window, "title", JLabel.class, true);
+    assertThat(above.getToolTipText()).isEqualTo(whole);
   }
 
   private Point place(int view) {

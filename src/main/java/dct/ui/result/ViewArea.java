@@ -173,7 +173,7 @@ public final class ViewArea extends JPanel implements ViewHost {
 
   private void addTab(ResultView view) {
     tabs.addTab(view.title(), view);
-    tabs.setTabComponentAt(tabs.getTabCount() - 1, new ViewTitle(view));
+    tabs.setTabComponentAt(tabs.getTabCount() - 1, new ViewTitle(view, tabs));
   }
 
   private static JComponent titled(ResultView view) {

@@ -7,21 +7,60 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
 
 /** What a view is called, and a button that closes it. */
 final class ViewTitle extends JPanel {
   private static final long serialVersionUID = 1L;
-  private static final int WIDEST = 170; // of a title in a tab
+  private static final int LEAST = 170; // of a title in a tab, if it is as long
+  private static final int AROUND = 70; // what the rest of a tab takes
 
+  private final transient ResultView view;
+  private final JLabel title = new JLabel();
+  private final JTabbedPane tabs; // null if it is in none
+
+  /** A title that takes the room which it is given. */
   ViewTitle(ResultView view) {
+    this(view, null);
+  }
+
+  /**
+   * A title for a tab.
+   *
+   * @param tabs which share their room, and show the whole title under the mouse
+   */
+  ViewTitle(ResultView view, JTabbedPane tabs) {
     super(new BorderLayout(6, 0));
+    this.view = view;
+    this.tabs = tabs;
     setOpaque(false);
     setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 4));
-    JLabel title = new Title(view.method());
     title.setName("title");
-    view.addListener(() -> title.setText(view.method()));
     add(title, BorderLayout.CENTER);
     add(closeButton(view), BorderLayout.EAST);
+    write();
+    view.addListener(this::write);
+  }
+
+  private void write() {
+    title.setText(view.method());
+    if (tabs == null) {
+      title.setToolTipText(view.title());
+    } else if (tabs.indexOfComponent(view) >= 0) { // a label with a tip would keep clicks
+      tabs.setToolTipTextAt(tabs.indexOfComponent(view), view.title());
+    }
+  }
+
+  /** Not kept, as others are: the room of a tab is another one after each change of the tabs. */
+  @Override
+  public Dimension getPreferredSize() {
+    Dimension wished = getLayout().preferredLayoutSize(this);
+    if (tabs == null) {
+      return wished;
+    }
+    int room = tabs.getWidth() / Math.max(1, tabs.getTabCount()) - AROUND;
+    int cut = title.getPreferredSize().width - Math.max(LEAST, room);
+    return new Dimension(wished.width - Math.max(0, cut), wished.height);
   }
 
   private static JButton closeButton(ResultView view) {
@@ -34,20 +73,5 @@ final class ViewTitle extends JPanel {
     close.setFocusable(true);
     close.addActionListener(e -> view.close());
     return close;
-  }
-
-  /** A text that is cut where it is too long for a tab. */
-  private static final class Title extends JLabel {
-    private static final long serialVersionUID = 1L;
-
-    Title(String text) {
-      super(text);
-    }
-
-    @Override
-    public Dimension getPreferredSize() {
-      Dimension wished = super.getPreferredSize();
-      return new Dimension(Math.min(WIDEST, wished.width), wished.height);
-    }
   }
 }
