@@ -7,6 +7,7 @@ import dct.io.format.drawing.OtherXml;
 import dct.io.format.drawing.SvgFormat;
 import dct.io.format.json.JsonFormat;
 import dct.io.format.lists.TsplibFormat;
+import dct.io.format.mesh.EdgeFormat;
 import dct.io.format.mesh.EleFormat;
 import dct.io.format.mesh.ObjFormat;
 import dct.io.format.mesh.OffFormat;
@@ -29,6 +30,7 @@ public final class Formats {
           new TsplibFormat(),
           new TriangleFormat(),
           new EleFormat(),
+          new EdgeFormat(),
           new SvgFormat(),
           new IpeFormat(),
           new OtherXml());

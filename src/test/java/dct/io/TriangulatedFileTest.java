@@ -26,9 +26,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -80,7 +82,7 @@ class TriangulatedFileTest {
   @ParameterizedTest
   @EnumSource(
       value = FileEnding.class,
-      names = {"OFF", "OBJ", "ELE"})
+      names = {"OFF", "OBJ", "ELE", "EDGE"})
   void what_is_written_comes_back(FileEnding ending) throws IOException {
     for (Domain domain : Domain.values()) {
       for (int seed = 0; seed < 25; seed++) {
@@ -250,6 +252,70 @@ class TriangulatedFileTest {
   private static String elementFault(Path file) {
     return catchThrowableOfType(BadInputException.class, () -> PointFile.read(file, Progress.NONE))
         .getMessage();
+  }
+
+  @Test
+  void edges_beside_their_vertices_are_told_by_their_marks() throws IOException {
+    Files.writeString(folder.resolve("d.node"), "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 2\n");
+    String edges = "7 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 5 1\n5 5 1 1\n6 2 5 0\n7 3 5 0\n";
+    Path file = Files.writeString(folder.resolve("d.edge"), edges);
+    assertThat(solution(PointFile.read(file, Progress.NONE)).instance().domain())
+        .isEqualTo(Domain.POLYGON);
+    Files.writeString(file, edges.replace("6 2 5", "6 2 4"));
+    assertThat(elementFault(file))
+        .startsWith(file + ":")
+        .contains("its edges are no triangulation of its polygon: on one side of edge");
+    Files.writeString(file, edges.replace("6 2 5", "6 2 6"));
+    assertThat(elementFault(file)).startsWith(file + ":7: there is no vertex 6; correct the edge");
+    Files.writeString(file, edges.replace("7 1\n1", "6 1\n1"));
+    assertThat(elementFault(file)).startsWith(file + ":8: the file goes on behind its last edge");
+    Files.delete(folder.resolve("d.node"));
+    assertThat(elementFault(file))
+        .startsWith(file + ":1: the vertices of the edges stand in d.node, and there is no such");
+  }
+
+  /** Whatever is accepted has exactly the triangles of the file. */
+  @Test
+  void changed_triangles_are_refused_or_read_as_they_are() throws IOException {
+    Random random = new Random(11);
+    int accepted = 0;
+    for (int round = 0; round < 3000; round++) {
+      int n = 4 + random.nextInt(4);
+      double[] pairs = random.ints(2L * n, 0, 4).asDoubleStream().toArray();
+      List<Set<Integer>> triangles = new ArrayList<>();
+      StringBuilder text = new StringBuilder();
+      int count = n - 2 + random.nextInt(3);
+      for (int v = 0; v < n; v++) {
+        text.append(pairs[2 * v]).append(' ').append(pairs[2 * v + 1]).append(" 0/");
+      }
+      for (int t = 0; t < count; t++) {
+        int[] corners = random.ints(0, n).distinct().limit(3).toArray();
+        triangles.add(Set.of(corners[0], corners[1], corners[2]));
+        text.append("3 " + corners[0] + " " + corners[1] + " " + corners[2] + "/");
+      }
+      try {
+        PointDocument read = read("OFF/" + n + " " + count + " 0/" + text);
+        Solution solution = solution(read);
+        assertThat(solution.triangulation().triangleCount()).isEqualTo(count);
+        if (read.points().equals(Points.ofPairs(pairs))) {
+          assertThat(triangles).hasSameElementsAs(triangles(solution.triangulation()));
+        }
+        assertVerified(solution);
+        accepted++;
+      } catch (NoTriangulation e) {
+        assertThat(e.line()).isBetween(2, 1 + 1 + n + count);
+      }
+    }
+    assertThat(accepted).isGreaterThan(40);
+  }
+
+  private static Set<Set<Integer>> triangles(Triangulation of) {
+    Set<Set<Integer>> triangles = new HashSet<>();
+    int[] corners = of.triangles();
+    for (int i = 0; i < corners.length; i += 3) {
+      triangles.add(Set.of(corners[i], corners[i + 1], corners[i + 2]));
+    }
+    return triangles;
   }
 
   @Test

@@ -24,8 +24,12 @@ public record StoredFaces(
    */
   public record Fault(int line, String message) {}
 
-  /** Edges of which no triangles are listed. */
-  public static StoredFaces of(ClaimedEdges edges) {
-    return new StoredFaces("edges", edges, 0, new int[0], Optional.empty());
+  /**
+   * Edges of which no triangles are listed.
+   *
+   * @param rim as above; empty if the file does not tell
+   */
+  public static StoredFaces of(ClaimedEdges edges, int[] rim) {
+    return new StoredFaces("edges", edges, 0, rim, Optional.empty());
   }
 }

@@ -13,8 +13,6 @@ import java.util.Optional;
  * on each side at most. Exact; linear.
  */
 public final class TriangleList {
-  private static final int NONE = -1;
-
   private int[] corners = new int[48];
   private int[] lines = new int[16];
   private int size;
@@ -45,19 +43,13 @@ public final class TriangleList {
   private final class Sides {
     private final Points points;
     private final ClaimedEdges edges = new ClaimedEdges();
-    private final int[] one; // a neighbour of each vertex on the rim
-    private final int[] other; // its other neighbour
-    private boolean branches; // a vertex has more than two
-    private int rimEdges;
+    private final Rim rim;
     private int faultLine = Integer.MAX_VALUE;
     private String fault = "";
 
     Sides(Points points) {
       this.points = points;
-      one = new int[points.size()];
-      other = new int[points.size()];
-      Arrays.fill(one, NONE);
-      Arrays.fill(other, NONE);
+      this.rim = new Rim(points.size());
     }
 
     StoredFaces faces() {
@@ -72,7 +64,7 @@ public final class TriangleList {
       }
       Optional<StoredFaces.Fault> found =
           fault.isEmpty() ? Optional.empty() : Optional.of(new StoredFaces.Fault(faultLine, fault));
-      return new StoredFaces("triangles", edges, size, rim(), found);
+      return new StoredFaces("triangles", edges, size, rim.ring(), found);
     }
 
     private void checkCorners() {
@@ -133,9 +125,7 @@ public final class TriangleList {
       int v = key(sorted[start], true);
       if (end - start == 1) {
         edges.add(u, v, EdgeKind.BOUNDARY, lines[sorted[start] / 3]);
-        rimEdges++;
-        link(u, v);
-        link(v, u);
+        rim.add(u, v);
         return;
       }
       edges.add(u, v, EdgeKind.DIAGONAL, lines[sorted[start] / 3]);
@@ -154,36 +144,6 @@ public final class TriangleList {
       } else if (points.orient(u, v, apex) == points.orient(u, v, its)) {
         fault(lines[next / 3], "the triangle lies on that of line " + lines[side / 3]);
       }
-    }
-
-    private void link(int u, int v) {
-      if (one[u] == NONE) {
-        one[u] = v;
-      } else if (other[u] == NONE) {
-        other[u] = v;
-      } else {
-        branches = true;
-      }
-    }
-
-    private int[] rim() {
-      int n = points.size();
-      if (branches || rimEdges != n || n == 0) {
-        return new int[0];
-      }
-      int[] rim = new int[n];
-      int before = other[0];
-      int v = 0;
-      for (int i = 0; i < n; i++) {
-        if (i > 0 && v == 0) {
-          return new int[0]; // there are several rings
-        }
-        rim[i] = v;
-        int next = one[v] == before ? other[v] : one[v];
-        before = v;
-        v = next;
-      }
-      return rim;
     }
   }
 }

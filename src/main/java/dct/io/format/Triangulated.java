@@ -12,8 +12,12 @@ public final class Triangulated {
 
   /** The shape of vertices with triangles. */
   public static Shape shape(String label, PointColumns vertices, TriangleList triangles) {
+    return shape(label, vertices, triangles.faces(vertices.points()));
+  }
+
+  /** The shape of vertices with triangles or edges. */
+  public static Shape shape(String label, PointColumns vertices, StoredFaces faces) {
     Points points = vertices.points();
-    StoredFaces faces = triangles.faces(points);
     Shape.Kind kind = isConcave(points, faces.rim()) ? Shape.Kind.RING : Shape.Kind.SITES;
     return new Shape(kind, label, points, vertices.lines(), Optional.of(faces));
   }

@@ -221,7 +221,7 @@ final class CgShop {
         edges.add(edge[0], edge[1], EdgeKind.DIAGONAL, edgeLines[0]);
       }
     }
-    return StoredFaces.of(edges);
+    return StoredFaces.of(edges, new int[0]);
   }
 
   private int end(double number, int line) {

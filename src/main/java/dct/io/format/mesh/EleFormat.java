@@ -7,16 +7,10 @@ import dct.io.format.Rows;
 import dct.io.format.Shapes;
 import dct.io.format.TriangleList;
 import dct.io.format.Triangulated;
-import dct.io.text.BadInputException;
-import dct.io.text.PlainText;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * Triangles of Shewchuk's Triangle ({@code .ele}); their vertices stand beside them in a file of
@@ -25,7 +19,6 @@ import java.util.stream.Stream;
 public final class EleFormat implements Format {
   private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+[36]\\s+[0-9]+");
   private static final Pattern TRIANGLE = Pattern.compile("[01](\\s+[0-9]+){3}(\\s.*)?");
-  private static final Pattern ENDING = Pattern.compile("(?i)(\\.ele)?(\\.gz)?$");
   private static final String CURE = "correct the triangle";
 
   @Override
@@ -53,7 +46,7 @@ public final class EleFormat implements Format {
     if (rows.count(2) > 0) {
       notes.add("Attributes of the triangles are left out");
     }
-    NodeList nodes = vertices(input, rows, notes);
+    NodeList nodes = NodeFile.read(input, "triangles", rows, notes);
     TriangleList triangles = new TriangleList();
     for (int t = 0; t < count; t++) {
       rows.next(t, count, "triangles");
@@ -67,46 +60,5 @@ public final class EleFormat implements Format {
       throw rows.fault("the file goes on behind its last triangle; correct the count");
     }
     return new Shapes(title(), List.of(Triangulated.shape("", nodes.points(), triangles)), notes);
-  }
-
-  private static NodeList vertices(Input input, Rows rows, List<String> notes) throws IOException {
-    Path file =
-        input
-            .file()
-            .orElseThrow(
-                () ->
-                    rows.fault(
-                        "the vertices of the triangles stand in a file .node, and this is none;"
-                            + " give the name of the file .ele"));
-    Path beside =
-        Stream.of(".node", ".node.gz", ".poly", ".poly.gz")
-            .map(ending -> sibling(file, ending))
-            .filter(Files::isRegularFile)
-            .findFirst()
-            .orElseThrow(
-                () ->
-                    rows.fault(
-                        "the vertices of the triangles stand in "
-                            + sibling(file, ".node").getFileName()
-                            + ", and there is no such file beside this one; put it there"));
-    try (InputStream in = Files.newInputStream(beside)) {
-      String name = beside.toString();
-      Rows lines = new Rows(Input.of(name, PlainText.of(name, in)));
-      lines.next(0, 1, "counts");
-      if (lines.count(1) != 2) {
-        throw new BadInputException(
-            name, lines.line(), "the vertices are not of the plane; give two coordinates each");
-      }
-      NodeList nodes = NodeList.read(lines);
-      if (nodes.hasMore()) {
-        notes.add("Attributes and markers of the vertices are left out");
-      }
-      return nodes;
-    }
-  }
-
-  private static Path sibling(Path file, String ending) {
-    String name = file.getFileName().toString();
-    return file.resolveSibling(ENDING.matcher(name).replaceFirst("") + ending);
   }
 }
