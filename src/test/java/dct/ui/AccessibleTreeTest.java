@@ -89,7 +89,9 @@ class AccessibleTreeTest extends WindowTest {
           "Compare Results…",
           "Table of Results",
           "Why?",
-          "Verify Result");
+          "Verify Result",
+          "Commands and Keys",
+          "Find Command…");
 
   @Test
   void theMainWindowAndItsResultsAreNamed() {

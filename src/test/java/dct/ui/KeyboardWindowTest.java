@@ -181,6 +181,20 @@ class KeyboardWindowTest extends WindowTest {
   }
 
   @Test
+  void enterAddsAVertexAndWhereThatIsEndsTheDrawing() {
+    choose("Polygon Based");
+    for (int side = 0; side < 3; side++) {
+      type(side == 1 ? KeyEvent.VK_DOWN : KeyEvent.VK_RIGHT, KeyEvent.VK_SHIFT);
+      type(KeyEvent.VK_ENTER);
+    }
+    assertThat(points().size()).isEqualTo(3);
+    frame.checkBox("Draw Vertex").requireSelected();
+    type(KeyEvent.VK_ENTER);
+    frame.checkBox("Edit Vertex").requireSelected();
+    assertThat(points().size()).isEqualTo(3);
+  }
+
+  @Test
   void aPolygonIsDrawnSelectedMovedAndCopiedByKeys() {
     drawTriangle();
     Points drawn = points();

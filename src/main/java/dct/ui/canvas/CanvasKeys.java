@@ -16,7 +16,7 @@ import java.util.function.Predicate;
 /**
  * The keyboard on a canvas. A key goes to the tool first. Arrows of which that makes no use move a
  * cross, by one unit of the model or with Shift by ten; while it is shown, Space and Enter click
- * there. The mouse takes it away.
+ * there; where they did so already, Enter is the tool's, to end a drawing. The mouse takes it away.
  *
  * <p>The unit is 1 while a unit has between a tenth of a pixel and ten pixels, and the power of ten
  * that has as many in other scales.
@@ -31,6 +31,7 @@ final class CanvasKeys extends KeyAdapter {
   private final Consumer<Spot> moved;
   private final Consumer<Spot> clicked;
   private boolean shown;
+  private boolean wasClicked; // where it is
   private double x; // of the cross, in the model
   private double y;
 
@@ -79,12 +80,15 @@ final class CanvasKeys extends KeyAdapter {
   }
 
   private boolean isUsed(Key key) {
-    boolean clicks = key.code() == KeyEvent.VK_SPACE || key.code() == KeyEvent.VK_ENTER;
-    if (shown && clicks) {
-      clicked.accept(spot(key.shift()));
-      return true;
+    boolean enter = key.code() == KeyEvent.VK_ENTER;
+    if (!shown || !(enter || key.code() == KeyEvent.VK_SPACE)) {
+      return tool.test(key) || (key.isArrow() && move(key));
     }
-    return tool.test(key) || (key.isArrow() && move(key));
+    if (!enter || !wasClicked || !tool.test(key)) {
+      wasClicked = true;
+      clicked.accept(spot(key.shift()));
+    }
+    return true;
   }
 
   private boolean move(Key key) {
@@ -93,6 +97,7 @@ final class CanvasKeys extends KeyAdapter {
     x = Spot.stepped(view, x, key.right() * step);
     y = Spot.stepped(view, y, (view.yUp() ? -1 : 1) * key.down() * step);
     shown = true;
+    wasClicked = false;
     keepInSight();
     moved.accept(spot(key.shift()));
     return true;
@@ -118,6 +123,7 @@ final class CanvasKeys extends KeyAdapter {
   /** Takes the cross away; it comes back where the mouse is now. */
   void mouseAt(Spot spot) {
     shown = false;
+    wasClicked = false;
     x = spot.x();
     y = spot.y();
   }

@@ -1,16 +1,23 @@
 package dct.ui.help;
 
 import dct.problem.Solution;
+import dct.ui.command.CommandMenu.Plan;
 import dct.ui.command.CommandRegistry;
 import dct.ui.dialog.Ask;
+import dct.ui.menu.CommandWindow;
 import dct.ui.menu.MenuTable;
 import dct.ui.shell.CallCopy;
 import dct.ui.workbench.Workbench;
 import java.awt.Frame;
+import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /** The commands that say what can be done. */
 public final class HelpCommands {
+  private static final String LIST = "Commands and Keys";
+  private static final String FIND = "Find Command…";
 
   private HelpCommands() {}
 
@@ -22,16 +29,7 @@ public final class HelpCommands {
       CheckWork checks,
       CallCopy calls) {
     BooleanSupplier chosen = () -> workbench.domain().isPresent();
-    commands.add(
-        "Commands and Keys",
-        "F1",
-        "Lists everything that can be done, with its keys",
-        () -> CommandList.show(window, CommandLines.of(MenuTable.MAIN, commands)));
-    commands.add(
-        "Find Command…",
-        "ctrl shift A",
-        "Finds a command by a part of its name, and runs it",
-        () -> CommandFinder.show(window, commands.all()));
+    offerSearch(commands, MenuTable.MAIN, () -> window);
     commands
         .add("Check Input", "", "Says whether this can be triangulated, and why not", checks::check)
         .enabledWhen(chosen);
@@ -43,6 +41,43 @@ public final class HelpCommands {
             calls::copyShown)
         .enabledWhen(chosen);
     commands.add("About", "", "Says what this program is", () -> about(window));
+  }
+
+  /**
+   * Offers the list of all commands and the search for one. A part of a window that has commands of
+   * its own leaves both to the window.
+   *
+   * @param menus those of the commands
+   * @param window says which one shows them now
+   */
+  public static void offerSearch(
+      CommandRegistry commands, List<Plan> menus, Supplier<Frame> window) {
+    commands.add(
+        LIST,
+        "F1",
+        "Lists everything that can be done, with its keys",
+        () ->
+            perform(
+                LIST,
+                commands,
+                window.get(),
+                over -> CommandList.show(over, CommandLines.of(menus, commands))));
+    commands.add(
+        FIND,
+        "ctrl shift A",
+        "Finds a command by a part of its name, and runs it",
+        () ->
+            perform(
+                FIND, commands, window.get(), over -> CommandFinder.show(over, commands.all())));
+  }
+
+  private static void perform(
+      String id, CommandRegistry commands, Frame window, Consumer<Frame> ofThese) {
+    if (window instanceof CommandWindow other && other.commands() != commands) {
+      other.commands().get(id).perform();
+    } else {
+      ofThese.accept(window);
+    }
   }
 
   private static void about(Frame window) {

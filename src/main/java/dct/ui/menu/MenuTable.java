@@ -184,10 +184,11 @@ public final class MenuTable {
           Plan.of("Edit", "Undo", "Redo"),
           VIEW,
           REPLAY,
-          Plan.of("Help", "Why?", "Verify Result"));
+          Plan.of("Help", "Why?", "Verify Result", LINE, "Commands and Keys", "Find Command…"));
 
   /** The menus of a frame that shows a picture. */
-  public static final List<Plan> PICTURE = List.of(PICTURE_FILE, view());
+  public static final List<Plan> PICTURE =
+      List.of(PICTURE_FILE, view(), Plan.of("Help", "Commands and Keys", "Find Command…"));
 
   private MenuTable() {}
 }

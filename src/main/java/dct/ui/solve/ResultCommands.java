@@ -1,6 +1,7 @@
 package dct.ui.solve;
 
 import dct.io.format.Drawing;
+import dct.ui.command.CommandMenu.Plan;
 import dct.ui.dialog.Ask;
 import dct.ui.document.Result;
 import dct.ui.explain.Explainer;
@@ -9,9 +10,13 @@ import dct.ui.file.FileCommands;
 import dct.ui.file.FileWork;
 import dct.ui.file.PictureExport;
 import dct.ui.file.Saving;
+import dct.ui.help.HelpCommands;
 import dct.ui.job.Jobs;
+import dct.ui.menu.MenuTable;
 import dct.ui.menu.ViewCommands;
 import dct.ui.result.ResultView;
+import java.awt.Frame;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
@@ -36,7 +41,14 @@ public final class ResultCommands {
     Explainer explainer =
         new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
     explainer.offer(view.commands());
+    HelpCommands.offerSearch(
+        view.commands(), menus(view), () -> (Frame) SwingUtilities.getWindowAncestor(view));
     view.addListener(explainer::refresh);
+  }
+
+  /** The menus of a frame that shows a view; what is no result of a document cannot be flipped. */
+  static List<Plan> menus(ResultView view) {
+    return view.result().isPresent() ? MenuTable.RESULT : MenuTable.PICTURE;
   }
 
   /**

@@ -2,16 +2,13 @@ package dct.ui.solve;
 
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandMenu;
-import dct.ui.command.CommandMenu.Plan;
 import dct.ui.command.CommandRegistry;
 import dct.ui.icon.ProgramIcon;
 import dct.ui.menu.CommandWindow;
-import dct.ui.menu.MenuTable;
 import dct.ui.result.ResultView;
 import java.awt.BorderLayout;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.util.List;
 import javax.swing.JFrame;
 
 /** A frame that shows the view of one result. */
@@ -27,7 +24,7 @@ public final class ResultFrame extends JFrame implements CommandWindow {
     setName("result");
     setIconImages(ProgramIcon.images());
     add(view, BorderLayout.CENTER);
-    setJMenuBar(CommandMenu.bar(menus(view), view.commands()));
+    setJMenuBar(CommandMenu.bar(ResultCommands.menus(view), view.commands()));
     view.commands().bindKeys(getRootPane());
     view.addListener(() -> setTitle(view.title()));
     setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -38,11 +35,6 @@ public final class ResultFrame extends JFrame implements CommandWindow {
             view.close();
           }
         });
-  }
-
-  /** What is no result of a document cannot be flipped. */
-  private static List<Plan> menus(ResultView view) {
-    return view.result().isPresent() ? MenuTable.RESULT : MenuTable.PICTURE;
   }
 
   /** What it shows. */
