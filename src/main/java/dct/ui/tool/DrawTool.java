@@ -107,12 +107,13 @@ public final class DrawTool implements Tool {
     return Snapping.of(context, spot, origin, v -> false);
   }
 
-  /** Whether this place is that of the first vertex of a polygon. */
+  /** Whether this place is that of the first vertex of a polygon, or snaps to it. */
   private static boolean closes(ToolContext context, Spot spot) {
     Document document = context.document();
     return document.domain() == Domain.POLYGON
         && document.size() > 2
-        && Pick.distance(document.points(), context.viewport(), 0, spot) <= CLOSING_REACH;
+        && (Pick.distance(document.points(), context.viewport(), 0, spot) <= CLOSING_REACH
+            || target(context, spot).isAt(document.points().x(0), document.points().y(0)));
   }
 
   private void end(ToolContext context) {

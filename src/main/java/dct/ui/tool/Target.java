@@ -16,6 +16,11 @@ import dct.render.Viewport;
 record Target(double x, double y, String hit) {
   private static final double RADIUS = 6;
 
+  /** Whether it is exactly this place. */
+  boolean isAt(double otherX, double otherY) {
+    return x == otherX && y == otherY;
+  }
+
   /** Draws a ring round what is hit. */
   void mark(Pen pen, Viewport view) {
     if (!hit.isEmpty()) {

@@ -26,6 +26,16 @@ class DrawToolTest {
   }
 
   @Test
+  void aClickThatSnapsToTheFirstVertexEndsAPolygon() {
+    polygon.snap.toggle(Snap.To.GRID); // of 20
+    tool.moved(polygon, polygon.spot(91, 109));
+    assertThat(tool.hint(polygon)).isEqualTo("Click v0 to end the drawing");
+    tool.pressed(polygon, polygon.spot(91, 109));
+    assertThat(polygon.points().size()).isEqualTo(4);
+    assertThat(polygon.editing).isTrue();
+  }
+
+  @Test
   void aClickOnTheFirstOfTwoVerticesDoesNotEnd() {
     FakeContext two = new FakeContext(Domain.POLYGON, 100, 100, 300, 100);
     tool.pressed(two, two.spot(100, 100));
