@@ -42,6 +42,7 @@ import dct.ui.menu.ToolBar;
 import dct.ui.menu.ViewCommands;
 import dct.ui.random.RandomCommands;
 import dct.ui.result.Arrangement;
+import dct.ui.result.ResultView;
 import dct.ui.result.ViewArea;
 import dct.ui.session.Journal;
 import dct.ui.session.Orphan;
@@ -128,6 +129,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     flips = offerFlips();
     inSight.shareWith(flips.panel());
     commands.bindKeys(getRootPane());
+    area.whenInFront(view -> commands.setFront(view.map(ResultView::commands)));
     east = new EastPanel(workbench, commands);
     invitation = new Invitation(commands, files::openSample);
     canvas.setInvitation(invitation);

@@ -15,6 +15,7 @@ import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
+import org.assertj.swing.core.MouseButton;
 import org.junit.jupiter.api.Test;
 
 /** Results in frames and in the window, linked, compared and listed. */
@@ -109,6 +110,49 @@ class ViewsWindowTest extends WindowTest {
     perform("Views Side by Side");
     JLabel above = robot.finder().findByName(window, "title", JLabel.class, true);
     assertThat(above.getToolTipText()).isEqualTo(whole);
+  }
+
+  @Test
+  void menusAndToolsWorkOnTheViewThatIsUsed() {
+    draw();
+    perform("Results in This Window");
+    perform("Perform Flip");
+    await("the view", () -> views().size() == 1);
+    ResultView view = (ResultView) onEventThread(() -> views().get(0));
+    assertThat(isEnabled("Next Flip")).isFalse();
+    click(() -> robot.click(view.canvas(), new Point(5, 5)));
+    await("the view is in use", () -> isEnabled("Previous Flip"));
+    perform("Flips");
+    await("its panel", () -> isShown(view, "flips"));
+    perform("Previous Flip");
+    await("one flip less", () -> isEnabled("Next Flip"));
+    double drawn = scale(canvas());
+    perform("Link Views"); // off
+    perform("Zoom In");
+    assertThat(scale(canvas())).isEqualTo(drawn);
+    click(() -> robot.click(canvas(), MouseButton.MIDDLE_BUTTON));
+    await("the drawing is in use", () -> !isEnabled("Next Flip"));
+    perform("Zoom In");
+    assertThat(scale(canvas())).isGreaterThan(drawn);
+    click(() -> robot.click(view.canvas(), new Point(5, 5)));
+    await("the view is in use", () -> isEnabled("Next Flip"));
+    onEventThread(
+        () -> {
+          view.close();
+          return null;
+        });
+    assertThat(isEnabled("Next Flip")).isFalse();
+  }
+
+  private boolean isEnabled(String command) {
+    return onEventThread(() -> window.commands().get(command).isEnabled());
+  }
+
+  private boolean isShown(ResultView view, String name) {
+    return !robot
+        .finder()
+        .findAll(view, component -> name.equals(component.getName()) && component.isShowing())
+        .isEmpty();
   }
 
   private Point place(int view) {

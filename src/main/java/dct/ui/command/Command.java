@@ -7,6 +7,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -28,6 +29,7 @@ public final class Command extends AbstractAction {
   private transient BooleanSupplier condition = () -> true;
   private transient BooleanSupplier selection; // null if the command is neither on nor off
   private transient Supplier<String> name;
+  private transient Supplier<Optional<Command>> inFront = Optional::empty;
 
   /**
    * A command that is always enabled.
@@ -87,12 +89,22 @@ public final class Command extends AbstractAction {
     return this;
   }
 
+  /** Says which command is done in place of this one, while there is one. */
+  void setInFront(Supplier<Optional<Command>> other) {
+    inFront = other;
+  }
+
+  private Command done() {
+    return inFront.get().orElse(this);
+  }
+
   /** Brings name, enablement and selection up to date. */
   public void refresh() {
-    putValue(Action.NAME, name.get());
-    setEnabled(condition.getAsBoolean());
+    Command done = done();
+    putValue(Action.NAME, done.name.get());
+    setEnabled(done.condition.getAsBoolean());
     if (selection != null) {
-      putValue(Action.SELECTED_KEY, selection.getAsBoolean());
+      putValue(Action.SELECTED_KEY, done.selection != null && done.selection.getAsBoolean());
     }
   }
 
@@ -141,7 +153,7 @@ public final class Command extends AbstractAction {
   /** Does it, if it is enabled. */
   public void perform() {
     if (isEnabled()) {
-      run.run();
+      done().run.run();
     }
   }
 

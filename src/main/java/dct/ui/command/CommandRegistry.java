@@ -18,6 +18,8 @@ public final class CommandRegistry {
   private final Map<String, Command> commands = new LinkedHashMap<>();
   private final Map<String, JMenu> submenus = new LinkedHashMap<>();
   private final Map<String, Consumer<JMenu>> fillers = new LinkedHashMap<>();
+  private Optional<CommandRegistry> front = Optional.empty();
+  private Runnable whenRefreshed = () -> {};
 
   /**
    * Takes in a command.
@@ -36,7 +38,19 @@ public final class CommandRegistry {
       throw new IllegalArgumentException("there are two commands " + command.id());
     }
     commands.put(command.id(), command);
+    command.setInFront(() -> front.map(part -> part.commands.get(command.id())));
     return command;
+  }
+
+  /**
+   * Lets the commands of a part of the window be done in place of those that have the same names
+   * here: the part is what the user works with now.
+   */
+  public void setFront(Optional<CommandRegistry> part) {
+    front.ifPresent(old -> old.whenRefreshed = () -> {});
+    front = part;
+    front.ifPresent(other -> other.whenRefreshed = this::refresh);
+    refresh();
   }
 
   /** Takes in a new command; see {@link Command}. */
@@ -78,6 +92,7 @@ public final class CommandRegistry {
   /** Brings names, enablement and ticks up to date. */
   public void refresh() {
     commands.values().forEach(Command::refresh);
+    whenRefreshed.run();
   }
 
   /** Lets the keys do what they are for, wherever in the window the focus is. */

@@ -32,6 +32,7 @@ public final class ResultView extends JPanel {
   private final String name; // of what the result is of
   private String method;
   private transient Optional<Result> result = Optional.empty();
+  private boolean isInFront;
 
   /**
    * A view of a picture that is no result of a document.
@@ -100,6 +101,19 @@ public final class ResultView extends JPanel {
   /** Lets the keys of its commands work while the focus is within the view. */
   void bindKeys() {
     commands.bindKeysWithin(this);
+  }
+
+  /** Says whether the commands of the window around it are done in this view now. */
+  void setInFront(boolean inFront) {
+    if (inFront != isInFront) {
+      isInFront = inFront;
+      listeners.forEach(Runnable::run);
+    }
+  }
+
+  /** Whether the commands of the window around it are done in this view now. */
+  boolean isInFront() {
+    return isInFront;
   }
 
   /** Says who takes the view away when it is closed. */

@@ -31,6 +31,8 @@ public final class ViewArea extends JPanel implements ViewHost {
   private final transient Consumer<Boolean> whenShared;
   private final List<ResultView> views = new ArrayList<>(); // as shown, from left to right
   private ResultView used; // last
+  private transient Optional<ResultView> front = Optional.empty(); // rather than the drawing
+  private transient Consumer<Optional<ResultView>> whenInFront = view -> {};
   private Arrangement arrangement = Arrangement.AUTO;
   private final JTabbedPane tabs = new JTabbedPane();
   private final transient FocusAdapter use =
@@ -38,6 +40,7 @@ public final class ViewArea extends JPanel implements ViewHost {
         @Override
         public void focusGained(FocusEvent e) {
           used = (ResultView) SwingUtilities.getAncestorOfClass(ResultView.class, e.getComponent());
+          setFront(Optional.ofNullable(used));
         }
       };
 
@@ -55,7 +58,27 @@ public final class ViewArea extends JPanel implements ViewHost {
     tabs.getAccessibleContext().setAccessibleName("Results");
     tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
     drawing.setMinimumSize(new Dimension());
+    drawing.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent e) {
+            setFront(Optional.empty());
+          }
+        });
     add(drawing, BorderLayout.CENTER);
+  }
+
+  /** Says who is told of the view that the user works with now; of none if it is the drawing. */
+  public void whenInFront(Consumer<Optional<ResultView>> told) {
+    whenInFront = told;
+  }
+
+  private void setFront(Optional<ResultView> view) {
+    if (!view.equals(front)) {
+      front = view;
+      views.forEach(each -> each.setInFront(view.filter(each::equals).isPresent()));
+      whenInFront.accept(view);
+    }
   }
 
   /** How the views share the room. */
@@ -113,6 +136,9 @@ public final class ViewArea extends JPanel implements ViewHost {
   public void hide(ResultView view) {
     if (views.remove(view)) {
       view.canvas().removeFocusListener(use);
+      if (front.filter(view::equals).isPresent()) {
+        setFront(Optional.empty());
+      }
       layOut();
     }
   }

@@ -42,8 +42,10 @@ final class ViewTitle extends JPanel {
     view.addListener(this::write);
   }
 
+  /** The title of the view in front is bold. */
   private void write() {
     title.setText(view.method());
+    title.putClientProperty("FlatLaf.style", view.isInFront() ? "font: bold" : "font: -bold");
     if (tabs == null) {
       title.setToolTipText(view.title());
     } else if (tabs.indexOfComponent(view) >= 0) { // a label with a tip would keep clicks
