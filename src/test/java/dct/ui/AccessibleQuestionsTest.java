@@ -65,6 +65,17 @@ class AccessibleQuestionsTest extends WindowTest {
   }
 
   @Test
+  void theChoiceOfTheColumns() throws IOException {
+    choose("Polygon Based");
+    Path rows = Files.writeString(folder.resolve("rows.csv"), "0.5 7 9 1\n90 7 9 1\n90 8 9 60\n");
+    require("a table of four columns", () -> window.open(rows));
+    Path head =
+        Files.writeString(folder.resolve("head.csv"), "0,1\n10.5,20.5\n90.5,20.5\n60.5,80.5\n");
+    require("a table with a row of numbers above", () -> window.open(head));
+    assertThat(points().size()).isZero();
+  }
+
+  @Test
   void aFileThatCannotBeRead() throws IOException {
     Path file = Files.writeString(folder.resolve("words.txt"), "0 0\nno point\n");
     require("a file of words", () -> window.open(file));
