@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.geometry.Points;
 import dct.problem.Solution;
 import java.awt.event.KeyEvent;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileFilter;
 import org.assertj.swing.finder.JFileChooserFinder;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
@@ -104,6 +107,21 @@ class ForeignFilesWindowTest extends WindowTest {
     answer(sorry, "Open Points Alone");
     await("the sites", () -> points().size() == 4);
     frame.radioButton("Point Sites Based").requireSelected();
+  }
+
+  @Test
+  void theOpenPanelShowsWhatCanBeRead() {
+    choose("Point Sites Based");
+    type(KeyEvent.VK_O, KeyEvent.VK_CONTROL);
+    JFileChooserFixture chooser =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    FileFilter filter = chooser.target().getFileFilter();
+    for (String name : List.of("a.ele", "a.off", "a.OBJ", "a.instance.json", "a.txt", "a.txt.gz")) {
+      assertThat(filter.accept(new File(name))).as(name).isTrue();
+    }
+    assertThat(filter.accept(new File("a.png"))).isFalse();
+    chooser.cancel();
+    settle();
   }
 
   @Test

@@ -27,6 +27,31 @@ public enum Chooser {
       "Rows, tables and charts",
       FileEnding.extensions(Content.ROWS, Content.TABLES, Content.CHART));
 
+  /** Endings of the formats that documents are read from; any other file can be named, too. */
+  private static final String[] READABLE = {
+    "txt",
+    "json",
+    "csv",
+    "tsv",
+    "dat",
+    "xyz",
+    "bln",
+    "wkt",
+    "geojson",
+    "ndjson",
+    "geojsonl",
+    "node",
+    "poly",
+    "ele",
+    "edge",
+    "off",
+    "obj",
+    "tsp",
+    "svg",
+    "ipe",
+    "gz"
+  };
+
   private final String filter;
   private final String extensions; // separated by blanks
 
@@ -38,6 +63,10 @@ public enum Chooser {
   /** Asks for a file to open. */
   public Optional<Path> open(Component parent, Optional<Path> folder) {
     JFileChooser chooser = panel(folder);
+    if (this == DOCUMENTS) {
+      chooser.setFileFilter(
+          new FileNameExtensionFilter("Polygons, sites and triangulations", READABLE));
+    }
     return chosen(chooser, chooser.showOpenDialog(parent));
   }
 
