@@ -141,7 +141,8 @@ class KeyboardWindowTest extends WindowTest {
   @Test
   void theCanvasHasALineRoundItWhenTheKeyboardReachesIt() {
     int accent = onEventThread(() -> UIManager.getColor("Component.accentColor").getRGB());
-    onEventThread(() -> canvas().requestFocusInWindow(FocusEvent.Cause.TRAVERSAL_FORWARD));
+    robot.focusAndWaitForFocusGain(frame.radioButton("Polygon Based").target());
+    onEventThread(() -> canvas().requestFocusInWindow(FocusEvent.Cause.TRAVERSAL_BACKWARD));
     await("the line", () -> capture(canvas()).getRGB(1, 300) == accent);
     clickAt(500, 300);
     await("no line", () -> capture(canvas()).getRGB(1, 300) != accent);
