@@ -20,6 +20,8 @@ import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.tool.Spot;
 import java.awt.Point;
+import java.awt.Toolkit;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
@@ -30,6 +32,30 @@ class SitesWindowTest extends WindowTest {
     150, 150, 800, 180, 500, 400, 300, 550, 700, 600, 430, 120, 620, 300, 250, 330, 880, 420, 90,
     620, 520, 620
   };
+
+  @Test
+  void theKeyThatAsksForRandomSitesTypesNothingIntoTheirNumber() {
+    choose("Point Sites Based");
+    takeKeyboard();
+    // At once, as a keyboard does it: a robot waits between the events.
+    post(KeyEvent.KEY_PRESSED, KeyEvent.VK_R, KeyEvent.CHAR_UNDEFINED);
+    post(KeyEvent.KEY_TYPED, KeyEvent.VK_UNDEFINED, 'R');
+    post(KeyEvent.KEY_RELEASED, KeyEvent.VK_R, KeyEvent.CHAR_UNDEFINED);
+    JOptionPaneFixture form = dialog();
+    robot.waitForIdle();
+    assertThat(form.textBox("vertices").text()).isEqualTo("100");
+    fill(form.textBox("vertices"), "12");
+    answer(form, "OK");
+    assertThat(points().size()).isEqualTo(12);
+  }
+
+  private void post(int id, int key, char letter) {
+    int shift = InputEvent.SHIFT_DOWN_MASK;
+    long now = System.currentTimeMillis();
+    Toolkit.getDefaultToolkit()
+        .getSystemEventQueue()
+        .postEvent(new KeyEvent(canvas(), id, now, shift, key, letter));
+  }
 
   @Test
   void theTriangulationFollowsEachClick() {

@@ -24,6 +24,7 @@ public abstract class Form extends Fields {
 
   /** Asks, the first field ready to be typed over; whether OK was chosen. */
   public final boolean show(Component parent, String title) {
+    HeldKey.typesNothing(); // what follows is no longer known as the work of a key
     SwingUtilities.updateComponentTreeUI(this); // the look may have changed since it was made
     JOptionPane pane =
         new JOptionPane(this, JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
