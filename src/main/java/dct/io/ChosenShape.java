@@ -128,7 +128,7 @@ final class ChosenShape {
   }
 
   private static boolean haveSamePoints(List<Shape> all) {
-    return all.stream().allMatch(shape -> shape.points() == all.get(0).points());
+    return all.stream().allMatch(shape -> shape.points().equals(all.get(0).points()));
   }
 
   private static Shape joined(List<Shape> all) {

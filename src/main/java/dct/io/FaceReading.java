@@ -36,7 +36,7 @@ final class FaceReading {
     this.source = source;
     this.faces = faces;
     this.domain = domain;
-    int[] rim = faces.rim();
+    int[] rim = faces.rim().ring();
     boolean inOrder = domain == Domain.SITES || rim.length == 0 || isInOrder(rim);
     this.shape = inOrder ? shape : along(rim, shape);
     this.edges = inOrder ? faces.edges() : along(rim, faces.edges());

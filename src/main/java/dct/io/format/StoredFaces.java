@@ -10,12 +10,11 @@ import java.util.Optional;
  * @param what what it is given by, as {@code triangles} or {@code edges}
  * @param edges its edges
  * @param count the number of its triangles; 0 if the file does not list them
- * @param rim the vertices along the edges with one triangle, from the lowest number on, if these
- *     edges are one ring through every vertex; otherwise empty
+ * @param rim the edges that have one triangle; none if the file does not tell
  * @param fault why the triangles cannot be a triangulation, if that is known already
  */
 public record StoredFaces(
-    String what, ClaimedEdges edges, int count, int[] rim, Optional<Fault> fault) {
+    String what, ClaimedEdges edges, int count, Rim rim, Optional<Fault> fault) {
 
   /**
    * What is wrong.
@@ -27,9 +26,9 @@ public record StoredFaces(
   /**
    * Edges of which no triangles are listed.
    *
-   * @param rim as above; empty if the file does not tell
+   * @param rim as above
    */
-  public static StoredFaces of(ClaimedEdges edges, int[] rim) {
+  public static StoredFaces of(ClaimedEdges edges, Rim rim) {
     return new StoredFaces("edges", edges, 0, rim, Optional.empty());
   }
 }

@@ -64,7 +64,7 @@ public final class TriangleList {
       }
       Optional<StoredFaces.Fault> found =
           fault.isEmpty() ? Optional.empty() : Optional.of(new StoredFaces.Fault(faultLine, fault));
-      return new StoredFaces("triangles", edges, size, rim.ring(), found);
+      return new StoredFaces("triangles", edges, size, rim, found);
     }
 
     private void checkCorners() {

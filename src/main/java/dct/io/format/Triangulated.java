@@ -18,7 +18,7 @@ public final class Triangulated {
   /** The shape of vertices with triangles or edges. */
   public static Shape shape(String label, PointColumns vertices, StoredFaces faces) {
     Points points = vertices.points();
-    Shape.Kind kind = isConcave(points, faces.rim()) ? Shape.Kind.RING : Shape.Kind.SITES;
+    Shape.Kind kind = isConcave(points, faces.rim().ring()) ? Shape.Kind.RING : Shape.Kind.SITES;
     return new Shape(kind, label, points, vertices.lines(), Optional.of(faces));
   }
 

@@ -8,6 +8,7 @@ import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.io.format.PointColumns;
+import dct.io.format.Rim;
 import dct.io.format.Shape;
 import dct.io.format.StoredFaces;
 import dct.io.text.BadInputException;
@@ -221,7 +222,7 @@ final class CgShop {
         edges.add(edge[0], edge[1], EdgeKind.DIAGONAL, edgeLines[0]);
       }
     }
-    return StoredFaces.of(edges, new int[0]);
+    return StoredFaces.of(edges, new Rim(0));
   }
 
   private int end(double number, int line) {
@@ -232,7 +233,7 @@ final class CgShop {
   }
 
   private static long key(int u, int v) {
-    return (long) Math.min(u, v) << 32 | Math.max(u, v) & 0xFFFFFFFFL;
+    return (long) Math.min(u, v) << 32 | (Math.max(u, v) & 0xFFFFFFFFL);
   }
 
   /** The edges of the hull; none where points coincide or are on one line. */

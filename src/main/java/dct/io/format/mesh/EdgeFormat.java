@@ -60,7 +60,7 @@ public final class EdgeFormat implements Format {
     if (rows.next()) {
       throw rows.fault("the file goes on behind its last edge; correct the count");
     }
-    StoredFaces faces = StoredFaces.of(edges, rim.ring());
+    StoredFaces faces = StoredFaces.of(edges, rim);
     return new Shapes(title(), List.of(Triangulated.shape("", nodes.points(), faces)), notes);
   }
 }
