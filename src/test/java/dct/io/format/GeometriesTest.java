@@ -105,6 +105,20 @@ class GeometriesTest {
   }
 
   @Test
+  void foreign_members_of_geojson_are_skipped() {
+    String ring = "\"coordinates\":[[[0,0],[1,0],[1,1],[0,0]]]";
+    assertThat(
+            described(
+                "{\"type\":\"Feature\",\"x\":[\"a\"],\"y\":[null],\"vertices\":[true],\"triangles\":"
+                    + "[\"t\"],\"holes\":[\"h\"],\"items\":[1],\"geometry\":{\"type\":\"Polygon\","
+                    + ring
+                    + "}}"))
+        .isEqualTo("ring of 3 vertices");
+    assertThatThrownBy(() -> read("{\"type\":\"Resolution\",\"geometry\":null}"))
+        .hasMessageContaining("there is no geometry with points in this GeoJSON");
+  }
+
+  @Test
   void several_geometries_follow_each_other() {
     String triangle = "POLYGON ((0 0, 4 0, 4 4, 0 0))";
     assertThat(read("# two\n" + triangle + ";\n\n" + triangle + "\n").shapes()).hasSize(2);

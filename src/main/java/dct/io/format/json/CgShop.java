@@ -19,10 +19,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * The files of the challenge CG:SHOP: instances, the polygons of solutions of 2023, the Steiner
@@ -32,17 +32,11 @@ import java.util.Set;
 final class CgShop {
   static final String TITLE = "CG:SHOP";
 
+  private static final Pattern SOLUTION = Pattern.compile("(?i)(.*_)?solution(_.*)?");
   private static final Set<String> NESTED =
       Set.of("points", "outer_boundary", "polygons", "triangulations");
   private static final Set<String> LISTS =
-      Set.of(
-          "points_x",
-          "points_y",
-          "x",
-          "y",
-          "region_boundary",
-          "steiner_points_x",
-          "steiner_points_y");
+      Set.of("points_x", "points_y", "region_boundary", "steiner_points_x", "steiner_points_y");
   private static final Set<String> NUMBERS = Set.of("edges", "edge_i", "edge_j");
 
   private final JsonScanner scanner;
@@ -62,8 +56,9 @@ final class CgShop {
     if (isArray && NESTED.contains(field)) {
       nested.put(field, scanner.nested());
     } else if (isArray && LISTS.contains(field)) {
-      lists.put(field, scanner.numbers());
-      lines.put(field, scanner.line());
+      put(field, scanner.numbers());
+    } else if (isArray && (field.equals("x") || field.equals("y"))) {
+      put(field, scanner.nestedOrNumbers().map(found -> found.numbers).orElse(new double[0]));
     } else if (isArray && NUMBERS.contains(field)) {
       left.add(field);
       scanner.json.skipValue();
@@ -73,6 +68,11 @@ final class CgShop {
       return false;
     }
     return true;
+  }
+
+  private void put(String field, double[] numbers) {
+    lists.put(field, numbers);
+    lines.put(field, scanner.line());
   }
 
   /** Hears of the holes, whose field other formats have, too. */
@@ -94,7 +94,7 @@ final class CgShop {
     if (has("steiner_points_x", "steiner_points_y")) {
       return steinerPoints(name, notes);
     }
-    if (has("x", "y")) {
+    if (has("x", "y") && lists.get("x").length > 0) {
       return List.of(polygonOrSites(notes));
     }
     List<Shape> shapes = new ArrayList<>();
@@ -104,7 +104,7 @@ final class CgShop {
     if (shapes.isEmpty()) {
       rings(Shape.Kind.SITES, "points", shapes);
     }
-    if (shapes.isEmpty() && type.toLowerCase(Locale.ROOT).contains("solution")) {
+    if (shapes.isEmpty() && SOLUTION.matcher(type).matches()) {
       throw withoutPoints(name);
     }
     return shapes;

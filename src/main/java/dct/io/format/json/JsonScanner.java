@@ -12,6 +12,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.util.Arrays;
+import java.util.Optional;
 
 /** A stream of JSON, and the pieces of it that geometries are made of. */
 final class JsonScanner {
@@ -145,16 +146,38 @@ final class JsonScanner {
     return nested;
   }
 
-  /** Arrays of points, or one array of numbers, which are kept as they are. */
-  Nested nestedOrNumbers() throws IOException {
+  /**
+   * Arrays of points, or one array of numbers, which are kept as they are; an array of anything
+   * else is skipped.
+   */
+  Optional<Nested> nestedOrNumbers() throws IOException {
+    if (!begin()) {
+      return Optional.empty();
+    }
     Nested nested = new Nested();
-    json.beginArray();
-    if (isNumber()) {
+    if (json.peek() == JsonToken.NUMBER) {
       nested.numbers = rest();
     } else {
       elements(nested);
     }
-    return nested;
+    return Optional.of(nested);
+  }
+
+  /** Begins an array; skips it and says so if it begins with a text, a truth value or null. */
+  boolean begin() throws IOException {
+    json.beginArray();
+    boolean isOther =
+        switch (json.peek()) {
+          case STRING, BOOLEAN, NULL -> true;
+          default -> false;
+        };
+    while (isOther && json.hasNext()) {
+      json.skipValue();
+    }
+    if (isOther) {
+      json.endArray();
+    }
+    return !isOther;
   }
 
   private boolean isNumber() throws IOException {

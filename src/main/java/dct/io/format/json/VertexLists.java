@@ -34,10 +34,10 @@ final class VertexLists {
     JsonToken value = scanner.json.peek();
     boolean isArray = value == JsonToken.BEGIN_ARRAY;
     if (isArray && field.equals("vertices")) {
-      vertices = Optional.of(scanner.nestedOrNumbers());
+      vertices = scanner.nestedOrNumbers();
       line = scanner.line();
     } else if (isArray && field.equals("holes")) {
-      holes = Optional.of(scanner.nestedOrNumbers());
+      holes = scanner.nestedOrNumbers();
     } else if (isArray && field.equals("triangles")) {
       triangles();
     } else if (value == JsonToken.NUMBER && field.equals("dimensions")) {
@@ -49,7 +49,9 @@ final class VertexLists {
   }
 
   private void triangles() throws IOException {
-    scanner.json.beginArray();
+    if (!scanner.begin()) {
+      return;
+    }
     while (scanner.json.hasNext()) {
       if (scanner.json.peek() == JsonToken.BEGIN_ARRAY) {
         add(scanner.numbers());
