@@ -72,9 +72,9 @@ public final class Links {
    * unless there is a view whose part was chosen.
    */
   public void resized(CanvasPanel canvas) {
-    find(canvas).ifPresent(member -> quietly(() -> settle(member)));
+    find(canvas).filter(Member::hasRoom).ifPresent(member -> quietly(() -> settle(member)));
     members.stream()
-        .filter(member -> !member.drawing && !member.chosen)
+        .filter(member -> !member.drawing && !member.chosen && member.hasRoom())
         .forEach(member -> quietly(() -> settle(member)));
   }
 
@@ -119,6 +119,7 @@ public final class Links {
       quietly(
           () ->
               others(member)
+                  .filter(Member::hasRoom) // else it settles once it has
                   .forEach(
                       other -> {
                         other.follow(member);
@@ -179,6 +180,10 @@ public final class Links {
 
     Viewport fitted(Scene scene, boolean yUp) {
       return canvas.fitted(scene, yUp);
+    }
+
+    boolean hasRoom() {
+      return canvas.getWidth() > 0 && canvas.getHeight() > 0;
     }
 
     /** Shows the part that another shows. */

@@ -71,6 +71,20 @@ class LinksTest {
   }
 
   @Test
+  void aViewThatHasNoRoomYetShowsEverythingOnceItHas() {
+    CanvasPanel late = canvas(0, 0, SITES);
+    links.add(late);
+    drawing.fit();
+    late.setSize(600, 480);
+    links.resized(late);
+    assertThat(late.isAllInSight()).isTrue();
+    assertThat(late.viewport()).isEqualTo(first.viewport());
+    late.setSize(0, 0);
+    links.resized(late);
+    assertThat(late.viewport()).isEqualTo(first.viewport());
+  }
+
+  @Test
   void withoutLinksEachGoesItsOwnWay() {
     links.setOn(false);
     first.zoom(3, 200, 100);
