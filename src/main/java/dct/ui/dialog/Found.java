@@ -26,8 +26,8 @@ public record Found<T>(Optional<T> meant, Optional<UnclearInput> unclear) {
   /**
    * Hands it on.
    *
-   * @param choose asks what is meant; it is called later, since a dialog waits for
-   *     its answer and the queue of jobs must not wait with it
+   * @param choose asks what is meant; it is called later, since a dialog waits for its answer and
+   *     the queue of jobs must not wait with it
    */
   public void handOn(Consumer<T> take, Consumer<UnclearInput> choose) {
     meant.ifPresent(take);

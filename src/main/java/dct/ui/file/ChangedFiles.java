@@ -23,9 +23,9 @@ import javax.swing.Timer;
 
 /**
  * Says above the canvas when another program or window has written to the file of the document, or
- * has removed it. Looks whenever the system tells of a change in the folder, and whenever the window
- * is used again. Nothing is taken from the file unless it is asked for. Lives on the event thread;
- * files are read in a lane.
+ * has removed it. Looks whenever the system tells of a change in the folder, and whenever the
+ * window is used again. Nothing is taken from the file unless it is asked for. Lives on the event
+ * thread; files are read in a lane.
  */
 public final class ChangedFiles {
   private static final int RETRY_MILLIS = 200; // while the window itself writes files
