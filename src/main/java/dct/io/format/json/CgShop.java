@@ -114,8 +114,19 @@ final class CgShop {
     return lists.containsKey(x) && lists.containsKey(y);
   }
 
+  /** The points whose x and y stand in these lists, all on the line where the second ends. */
   private PointColumns points(String x, String y) {
-    return scanner.columns(lists.get(x), lists.get(y), lines.get(y));
+    double[] xs = lists.get(x);
+    double[] ys = lists.get(y);
+    if (xs.length != ys.length) {
+      throw scanner.fault(
+          "there are " + xs.length + " x, but " + ys.length + " y; give as many of both");
+    }
+    PointColumns columns = new PointColumns();
+    for (int i = 0; i < xs.length; i++) {
+      columns.add(xs[i], ys[i], lines.get(y));
+    }
+    return columns;
   }
 
   /** The ends of the edges of an instance of 2022, or a polygon of one of 2024. */

@@ -286,16 +286,4 @@ final class JsonScanner {
   int line() {
     return source.line();
   }
-
-  /** Points of columns of x and y, all on one line. */
-  PointColumns columns(double[] x, double[] y, int line) {
-    if (x.length != y.length) {
-      throw fault("there are " + x.length + " x, but " + y.length + " y; give as many of both");
-    }
-    PointColumns columns = new PointColumns();
-    for (int i = 0; i < x.length; i++) {
-      columns.add(x[i], y[i], line);
-    }
-    return columns;
-  }
 }
