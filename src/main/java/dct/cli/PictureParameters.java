@@ -2,19 +2,15 @@ package dct.cli;
 
 import dct.render.Figure;
 import dct.render.Figure.Size;
-import dct.render.Figure.Unit;
 import dct.render.Labels;
 import dct.render.Theme;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** How the pictures among the outputs of a verb look. */
 final class PictureParameters {
-  private static final Pattern SIZE = Pattern.compile("([0-9]{1,6}(?:\\.[0-9]{1,6})?)(mm|px)");
   private static final List<String> LABELS = List.of("numbers", "degrees", "coordinates");
   private static final List<String> THEMES = List.of("light", "dark", "print");
 
@@ -113,24 +109,11 @@ final class PictureParameters {
     if (typed == null) {
       return Size.COLUMN;
     }
-    Matcher parts = SIZE.matcher(typed);
-    if (!parts.matches()) {
-      throw new UsageException("--size: " + typed + " is no width; write 84mm or 600px");
+    try {
+      return Size.parse(typed);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException("--size: " + e.getMessage());
     }
-    double width = Double.parseDouble(parts.group(1));
-    Unit unit = parts.group(2).equals("mm") ? Unit.MM : Unit.PX;
-    if (width < unit.least() || width > unit.most()) {
-      throw new UsageException(
-          String.format(
-              Locale.ROOT,
-              "--size: %s is out of range; take from %.0f%s to %.0f%s",
-              typed,
-              unit.least(),
-              unit.word(),
-              unit.most(),
-              unit.word()));
-    }
-    return new Size(width, unit);
   }
 
   private int scale() {

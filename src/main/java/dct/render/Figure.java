@@ -1,5 +1,10 @@
 package dct.render;
 
+import dct.core.Decimals;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
 /**
  * How a scene becomes a picture in a file: how large, how much of what, and in which colours;
  * immutable. {@link #DEFAULT} is a figure as wide as a column of a paper.
@@ -23,7 +28,8 @@ public record Figure(
     boolean legend,
     boolean yUp,
     Theme theme,
-    boolean isStandalone) {
+    boolean isStandalone)
+    implements PictureStyle {
 
   /** The finest pixels that a PNG can have. */
   public static final int LARGEST_SCALE = 4;
@@ -85,15 +91,41 @@ public record Figure(
     /** The width of a column of a paper. */
     public static final Size COLUMN = new Size(84, Unit.MM);
 
+    private static final Pattern WRITTEN =
+        Pattern.compile("([0-9]{1,6}(?:\\.[0-9]{1,6})?) ?(mm|px)");
+
     /**
      * Checks the width.
      *
-     * @throws IllegalArgumentException if it is not in the range of the unit
+     * @throws IllegalArgumentException if it is not in the range of the unit; its message says so
      */
     public Size {
       if (!(width >= unit.least && width <= unit.most)) {
-        throw new IllegalArgumentException(width + unit.word);
+        throw new IllegalArgumentException(
+            String.format(
+                Locale.ROOT,
+                "%s%s is out of range; take from %.0f%s to %.0f%s",
+                Decimals.format(width),
+                unit.word,
+                unit.least,
+                unit.word,
+                unit.most,
+                unit.word));
       }
+    }
+
+    /**
+     * The width that is written like {@code 84mm} or {@code 600px}.
+     *
+     * @throws IllegalArgumentException if it is none of these; its message says so
+     */
+    public static Size parse(String written) {
+      Matcher parts = WRITTEN.matcher(written);
+      if (!parts.matches()) {
+        throw new IllegalArgumentException(written + " is no width; write 84mm or 600px");
+      }
+      Unit unit = parts.group(2).equals("mm") ? Unit.MM : Unit.PX;
+      return new Size(Double.parseDouble(parts.group(1)), unit);
     }
   }
 

@@ -14,50 +14,36 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Writes scenes as pictures: as figures, or as a window shows them. */
+/** Writes scenes as pictures. */
 public final class PictureFile {
   private static final int MOST_FOR_TEX = 3_000; // edges that TeX draws in some seconds
 
   private PictureFile() {}
 
   /**
-   * Writes a figure in the format of the file's ending. The file is written whole or not at all.
+   * Writes a picture in the format of the file's ending. The file is written whole or not at all.
    *
    * @param name what the picture shows, for its title; may be empty
    * @throws IllegalArgumentException if the ending is that of no picture
    * @throws CannotWriteException if writing failed; nothing is changed then
    * @throws java.util.concurrent.CancellationException if cancelled; nothing is changed then
    */
-  public static void write(Scene scene, Figure figure, String name, Path file, Progress progress)
+  public static void write(
+      Scene scene, PictureStyle style, String name, Path file, Progress progress)
       throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    Picture picture = Picture.of(scene, figure, name, progress);
+    Picture picture = Picture.of(scene, style, name, progress);
     AtomicFile.write(file, progress, out -> picture.write(ending, out));
   }
 
   /**
-   * Writes what a window shows, light on white.
-   *
-   * @param view what it shows
-   * @param scale pixels of a PNG for each pixel of the screen; other pictures have no pixels
-   * @see #write(Scene, Figure, String, Path, Progress)
-   */
-  public static void write(Scene scene, PictureView view, int scale, Path file, Progress progress)
-      throws CannotWriteException {
-    FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    Picture picture =
-        new Picture(
-            Sheet.of(scene, view, scale), Optional.of(view), false, Title.of("", scene), progress);
-    AtomicFile.write(file, progress, out -> picture.write(ending, out));
-  }
-
-  /**
-   * A figure as an image of about this width, for a look at it before it is written.
+   * A picture as an image of about this width, for a look at it before it is written.
    *
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static BufferedImage preview(Scene scene, Figure figure, int width, Progress progress) {
-    Picture picture = Picture.of(scene, figure, "", progress);
+  public static BufferedImage preview(
+      Scene scene, PictureStyle style, int width, Progress progress) {
+    Picture picture = Picture.of(scene, style, "", progress);
     return picture.image(width / picture.sheet.width());
   }
 
@@ -88,10 +74,14 @@ public final class PictureFile {
       Title title,
       Progress progress) {
 
-    static Picture of(Scene scene, Figure figure, String name, Progress progress) {
-      Sheet sheet = SheetLayout.of(scene, figure);
+    static Picture of(Scene scene, PictureStyle style, String name, Progress progress) {
       Title title = Title.of(name, scene);
-      return new Picture(sheet, Optional.empty(), figure.isStandalone(), title, progress);
+      if (style instanceof Figure figure) {
+        Sheet sheet = SheetLayout.of(scene, figure);
+        return new Picture(sheet, Optional.empty(), figure.isStandalone(), title, progress);
+      }
+      PictureView view = (PictureView) style;
+      return new Picture(Sheet.of(scene, view), Optional.of(view), false, title, progress);
     }
 
     void write(FileEnding ending, OutputStream out) throws IOException {

@@ -48,14 +48,14 @@ record Sheet(
   record Note(Box box, boolean isStrip, Pen.Anchor anchor) {}
 
   /** What a part of a screen shows, one pixel for each of it. */
-  static Sheet of(Scene scene, PictureView view, int scale) {
+  static Sheet of(Scene scene, PictureView view) {
     return new Sheet(
         scene,
         view.viewport(),
         view.width(),
         view.height(),
         SCREEN,
-        scale,
+        view.scale(),
         Gauge.SCREEN,
         Theme.LIGHT,
         Optional.empty(),

@@ -14,6 +14,7 @@ import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -21,6 +22,7 @@ import javax.imageio.ImageIO;
 import org.assertj.swing.finder.JFileChooserFinder;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -400,14 +402,17 @@ class FilesWindowTest extends WindowTest {
     robot.waitForIdle();
   }
 
+  private JFileChooserFixture exportPanel() {
+    menu("Export Picture");
+    return JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+  }
+
   @Test
   void aPictureIsExportedInTheSizeAskedFor() throws Exception {
     drawTriangle();
-    menu("Export Picture");
-    JFileChooserFixture panel =
-        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    JFileChooserFixture panel = exportPanel();
     assertThat(onEventThread(() -> panel.target().getDialogTitle())).isEqualTo("Export Picture");
-    pick(panel, "extent", 0);
+    pick(panel, "extent", 1);
     pick(panel, "scale", 1);
     typeName(folder.resolve("picture").toString());
     Path file = folder.resolve("picture.png");
@@ -419,10 +424,20 @@ class FilesWindowTest extends WindowTest {
   private void pick(JFileChooserFixture panel, String name, int index) {
     onEventThread(
         () -> {
-          robot
-              .finder()
-              .findByName(panel.target(), name, javax.swing.JComboBox.class)
-              .setSelectedIndex(index);
+          field(panel, name, javax.swing.JComboBox.class).setSelectedIndex(index);
+          return null;
+        });
+  }
+
+  private <T extends java.awt.Component> T field(
+      JFileChooserFixture panel, String name, Class<T> kind) {
+    return robot.finder().findByName(panel.target(), name, kind);
+  }
+
+  private void width(JFileChooserFixture panel, String text) {
+    onEventThread(
+        () -> {
+          field(panel, "width", javax.swing.JComboBox.class).setSelectedItem(text);
           return null;
         });
   }
@@ -430,25 +445,49 @@ class FilesWindowTest extends WindowTest {
   @Test
   void aFigureForAPaperIsExportedAndTheChoiceIsKept() throws Exception {
     drawTriangle();
-    menu("Export Picture");
-    JFileChooserFixture panel =
-        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    pick(panel, "extent", 1);
+    JFileChooserFixture panel = exportPanel();
     pick(panel, "theme", 1);
+    for (String box : List.of("coordinates", "legend", "upwards", "standalone")) {
+      javax.swing.JCheckBox tick = field(panel, box, javax.swing.JCheckBox.class);
+      onEventThread(
+          () -> {
+            tick.doClick();
+            return null;
+          });
+    }
     typeName(folder.resolve("figure.svg").toString());
-    Path file = folder.resolve("figure.svg");
     settle();
-    assertThat(Files.readString(file)).contains("width=\"84mm\"");
-    menu("Export Picture");
+    assertThat(Files.readString(folder.resolve("figure.svg")))
+        .contains("width=\"84mm\"")
+        .contains("boundary")
+        .contains("(300, 400)");
+    JFileChooserFixture again = exportPanel();
+    assertThat(onEventThread(() -> again.target().getSelectedFile().getName())).endsWith(".svg");
+    javax.swing.JCheckBox legend = field(again, "legend", javax.swing.JCheckBox.class);
+    javax.swing.JCheckBox upwards = field(again, "upwards", javax.swing.JCheckBox.class);
+    assertThat(onEventThread(legend::isSelected)).isTrue();
+    assertThat(onEventThread(upwards::isSelected)).isFalse(); // as on the canvas
+    width(again, "100mm");
+    typeName(folder.resolve("wide.tex").toString());
+    settle();
+    assertThat(Files.readString(folder.resolve("wide.tex"))).contains("\\documentclass");
+    assertThat(session.settings().get("figure.width")).contains("100mm");
+  }
+
+  @Test
+  void aWidthThatIsNoneIsSaidAndAskedForAgain() {
+    drawTriangle();
+    width(exportPanel(), "7 furlongs");
+    typeName(folder.resolve("figure.svg").toString());
+    JOptionPaneFixture refusal = dialog();
+    assertThat(message(refusal)).isEqualTo("7 furlongs is no width; write 84mm or 600px.");
+    answer(refusal, "OK");
     JFileChooserFixture again =
         JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    javax.swing.JComboBox<?> extent =
-        robot.finder().findByName(again.target(), "extent", javax.swing.JComboBox.class);
-    assertThat(onEventThread(extent::getSelectedIndex)).isEqualTo(1);
-    pick(again, "extent", 0);
-    typeName(folder.resolve("seen.svg").toString());
+    width(again, "600px");
+    typeName(folder.resolve("figure.svg").toString());
     settle();
-    assertThat(Files.readString(folder.resolve("seen.svg"))).doesNotContain("width=\"84mm\"");
+    assertThat(folder.resolve("figure.svg")).exists();
   }
 
   @Test
@@ -532,9 +571,21 @@ class FilesWindowTest extends WindowTest {
   private void typeName(String name) {
     JFileChooserFixture chooser =
         JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    fill(chooser.fileNameTextBox(), name);
+    fill(new JTextComponentFixture(robot, nameField(chooser)), name);
     robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
     await("the file panel is closed", () -> !chooser.target().isShowing());
     robot.waitForIdle();
+  }
+
+  /** The one field that is not for another answer beside the file. */
+  private javax.swing.JTextField nameField(JFileChooserFixture chooser) {
+    return (javax.swing.JTextField)
+        robot
+            .finder()
+            .find(
+                chooser.target(),
+                each ->
+                    each instanceof javax.swing.JTextField
+                        && !(each.getParent() instanceof javax.swing.JComboBox));
   }
 }

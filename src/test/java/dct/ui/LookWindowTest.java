@@ -67,10 +67,10 @@ class LookWindowTest extends WindowTest {
 
   /** Whether nothing changes when all is given the present look once more. */
   private static void requireUpToDate(String name, Window shown) {
-    Map<Component, Appearance> before = new IdentityHashMap<>();
+    IdentityHashMap<Component, Appearance> before = new IdentityHashMap<>();
     note(shown, before);
     SwingUtilities.updateComponentTreeUI(shown);
-    Map<Component, Appearance> after = new IdentityHashMap<>();
+    IdentityHashMap<Component, Appearance> after = new IdentityHashMap<>();
     note(shown, after);
     before.forEach(
         (part, look) ->

@@ -1,99 +1,156 @@
 package dct.ui.file;
 
-import dct.core.Progress;
 import dct.render.Figure;
-import dct.render.PictureFile;
-import dct.render.Scene;
+import dct.render.Labels;
+import dct.render.PictureStyle;
+import dct.render.PictureView;
 import dct.render.Theme;
+import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Fields;
 import dct.ui.dialog.Memory;
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Dimension;
-import java.awt.Graphics;
-import java.awt.image.BufferedImage;
+import java.awt.GridLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
-import javax.swing.SwingWorker;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.text.JTextComponent;
 
 /**
  * What is asked of a picture beside its file, with a preview: what it shows and how large, its
- * colours, counts and legend. The answers are those of the last time.
+ * colours, labels, counts and legend. The answers are those of the last time, but labels and the
+ * direction of y, which are those of the canvas.
  */
 final class FigurePanel extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final int GAP = 6;
+  private static final int WINDOW = 1; // the place of what the window shows among the extents
 
-  private final transient Scene scene;
-  private final boolean yUp;
+  private final CanvasPanel canvas;
   private final JComboBox<String> extent =
-      new JComboBox<>(
-          new String[] {"As in the window", "Figure, column (84 mm)", "Figure, page (174 mm)"});
+      new JComboBox<>(new String[] {"Everything, as a figure", "What the window shows"});
+  private final JComboBox<String> width =
+      new JComboBox<>(new String[] {"84 mm", "174 mm", "600 px"});
   private final JComboBox<String> scale =
       new JComboBox<>(new String[] {"1 ×", "2 ×", "3 ×", "4 ×"});
   private final JComboBox<String> theme = new JComboBox<>(new String[] {"Light", "Print", "Dark"});
-  private final JCheckBox counts = new JCheckBox("Counts");
+  private final JCheckBox numbers = new JCheckBox("Numbers");
+  private final JCheckBox degrees = new JCheckBox("Degrees");
+  private final JCheckBox coordinates = new JCheckBox("Coordinates");
+  private final JCheckBox counts = new JCheckBox("Counts", true);
   private final JCheckBox legend = new JCheckBox("Legend");
-  private final Preview preview = new Preview();
+  private final JCheckBox cropped = new JCheckBox("Cropped", true);
+  private final JCheckBox upwards = new JCheckBox("Y axis up");
+  private final JCheckBox standalone = new JCheckBox("Whole LaTeX file");
+  private final FigurePreview preview;
 
-  /**
-   * Fields for pictures of a scene.
-   *
-   * @param yUp whether y grows upwards in them
-   */
-  FigurePanel(Scene scene, boolean yUp) {
+  /** Fields for pictures of what a canvas shows. */
+  FigurePanel(CanvasPanel canvas) {
     super(new BorderLayout(0, GAP));
-    this.scene = scene;
-    this.yUp = yUp;
+    this.canvas = canvas;
+    preview = new FigurePreview(canvas.scene());
     setBorder(BorderFactory.createEmptyBorder(0, 2 * GAP, 0, 0));
-    Fields fields = new Fields();
-    fields.ask("Shows:", 'h', "extent", extent, "The window's part, or all, cropped, for a paper");
-    fields.ask("PNG scale:", 'g', "scale", scale, "Pixels of a PNG; others are sharp at any size");
-    fields.ask("Colours:", 'o', "theme", theme, "Print is told apart in grey, too");
-    fields.offer(counts, 't', "counts", "Writes how many vertices are even and odd");
-    fields.offer(legend, 'l', "legend", "Says what colours and shapes stand for");
-    add(fields, BorderLayout.NORTH);
+    width.setEditable(true);
+    JPanel questions = new JPanel(new BorderLayout(0, GAP));
+    questions.add(fields(), BorderLayout.NORTH);
+    questions.add(boxes(), BorderLayout.SOUTH);
+    add(questions, BorderLayout.NORTH);
     add(preview);
-    recall(extent);
-    recall(scale);
-    recall(theme);
-    counts.setSelected(Memory.get(memory(counts)).map(Boolean::valueOf).orElse(true));
-    legend.setSelected(Memory.get(memory(legend)).map(Boolean::valueOf).orElse(false));
-    extent.addActionListener(e -> changed());
-    theme.addActionListener(e -> changed());
-    counts.addActionListener(e -> changed());
-    legend.addActionListener(e -> changed());
+    recall();
+    numbers.setSelected(canvas.labels().numbers());
+    degrees.setSelected(canvas.labels().degrees());
+    upwards.setSelected(canvas.viewport().yUp());
+    choices().forEach(choice -> choice.addActionListener(e -> changed()));
+    ticks().forEach(box -> box.addActionListener(e -> changed()));
+    typedWidth().getDocument().addDocumentListener(new Typing());
     changed();
   }
 
-  /** The figure asked for; nothing if the window's part is. */
-  Optional<Figure> figure() {
-    Theme colours = Theme.valueOf(theme.getSelectedItem().toString().toUpperCase(Locale.ROOT));
-    double width = extent.getSelectedIndex() == 2 ? 174 : 84;
-    Figure figure =
-        new Figure(
-            new Figure.Size(width, Figure.Unit.MM),
-            scale(),
-            true,
-            scene.labels(),
-            counts.isSelected(),
-            legend.isSelected(),
-            yUp,
-            colours,
-            false);
-    return extent.getSelectedIndex() == 0 ? Optional.empty() : Optional.of(figure);
+  private Fields fields() {
+    Fields fields = new Fields();
+    fields.ask("Shows:", 'h', "extent", extent, "All, laid out for a paper, or the window's part");
+    fields.ask("Width:", 'w', "width", width, "84mm is a column; letters keep their size in mm");
+    fields.ask("PNG scale:", 'g', "scale", scale, "Pixels of a PNG; others are sharp at any size");
+    fields.ask("Colours:", 'o', "theme", theme, "Print is told apart in grey, too");
+    return fields;
   }
 
-  /** How many times finer the pixels of a PNG are. */
-  int scale() {
+  private JPanel boxes() {
+    JPanel boxes = new JPanel(new GridLayout(0, 2, GAP, 0));
+    offer(boxes, numbers, 'b', "numbers", "Writes the numbers of the vertices beside them");
+    offer(boxes, counts, 't', "counts", "Writes how many vertices are even and odd");
+    offer(boxes, degrees, 'd', "degrees", "Writes the degrees of the vertices beside them");
+    offer(boxes, legend, 'l', "legend", "Says what colours and shapes stand for");
+    offer(boxes, coordinates, 'c', "coordinates", "Writes the coordinates beside the vertices");
+    offer(boxes, cropped, 'p', "cropped", "Ends at the drawing; else it has the shape of a canvas");
+    offer(boxes, upwards, 'y', "upwards", "Lets y grow upwards");
+    offer(boxes, standalone, 'x', "standalone", "A .tex is a document, else a part for \\input");
+    return boxes;
+  }
+
+  private static void offer(JPanel to, JCheckBox box, char letter, String name, String tip) {
+    box.setName(name);
+    box.setMnemonic(letter);
+    box.setToolTipText(tip);
+    to.add(box);
+  }
+
+  private List<JComboBox<String>> choices() {
+    return List.of(extent, width, scale, theme);
+  }
+
+  private List<JCheckBox> ticks() {
+    return Stream.concat(kept().stream(), Stream.of(numbers, degrees, coordinates, upwards))
+        .toList();
+  }
+
+  private List<JCheckBox> kept() {
+    return List.of(counts, legend, cropped, standalone);
+  }
+
+  /**
+   * The picture asked for.
+   *
+   * @throws IllegalArgumentException if the width that was typed is none; the message says so
+   */
+  PictureStyle style() {
+    return isFigure()
+        ? figure()
+        : new PictureView(
+            canvas.viewport(), canvas.getWidth(), canvas.getHeight(), canvas.notes(), scale());
+  }
+
+  private Figure figure() {
+    Theme colours = Theme.valueOf(theme.getSelectedItem().toString().toUpperCase(Locale.ROOT));
+    return new Figure(
+        Figure.Size.parse(typedWidth().getText().strip()),
+        scale(),
+        cropped.isSelected(),
+        new Labels(numbers.isSelected(), degrees.isSelected(), coordinates.isSelected()),
+        counts.isSelected(),
+        legend.isSelected(),
+        upwards.isSelected(),
+        colours,
+        standalone.isSelected());
+  }
+
+  private boolean isFigure() {
+    return extent.getSelectedIndex() != WINDOW;
+  }
+
+  private int scale() {
     return scale.getSelectedIndex() + 1;
+  }
+
+  private JTextComponent typedWidth() {
+    return (JTextComponent) width.getEditor().getEditorComponent();
   }
 
   /** Keeps the answers for the next time. */
@@ -101,14 +158,18 @@ final class FigurePanel extends JPanel {
     for (JComboBox<String> choice : List.of(extent, scale, theme)) {
       Memory.put(memory(choice), choice.getSelectedIndex());
     }
-    for (JCheckBox box : List.of(counts, legend)) {
-      Memory.put(memory(box), box.isSelected());
-    }
+    Memory.put(memory(width), typedWidth().getText().strip());
+    kept().forEach(box -> Memory.put(memory(box), box.isSelected()));
   }
 
-  private static void recall(JComboBox<String> choice) {
-    int last = Memory.number(memory(choice)).orElse(0);
-    choice.setSelectedIndex(last < 0 || last >= choice.getItemCount() ? 0 : last);
+  private void recall() {
+    for (JComboBox<String> choice : List.of(extent, scale, theme)) {
+      int last = Memory.number(memory(choice)).orElse(0);
+      choice.setSelectedIndex(last < 0 || last >= choice.getItemCount() ? 0 : last);
+    }
+    Memory.get(memory(width)).ifPresent(width::setSelectedItem);
+    kept()
+        .forEach(box -> Memory.get(memory(box)).map(Boolean::valueOf).ifPresent(box::setSelected));
   }
 
   private static String memory(Component field) {
@@ -116,91 +177,36 @@ final class FigurePanel extends JPanel {
   }
 
   private void changed() {
-    boolean isFigure = extent.getSelectedIndex() > 0;
-    for (Component field : new Component[] {theme, counts, legend}) {
-      field.setEnabled(isFigure);
-    }
-    preview.show(figure());
+    ticks().forEach(box -> box.setEnabled(isFigure()));
+    theme.setEnabled(isFigure());
+    width.setEnabled(isFigure());
+    preview.show(usable());
   }
 
-  /** A small picture of what will be written, drawn in the background. */
-  private final class Preview extends JPanel {
-    private static final long serialVersionUID = 1L;
-    private static final int WIDTH = 260;
-    private static final int HEIGHT = 200;
-
-    private final transient AtomicInteger turn = new AtomicInteger();
-    private transient BufferedImage image;
-
-    Preview() {
-      setOpaque(false);
-      setPreferredSize(new Dimension(WIDTH, HEIGHT));
-      setName("preview");
-      getAccessibleContext().setAccessibleName("Preview");
+  /** The picture asked for, if the width is usable. */
+  private Optional<PictureStyle> usable() {
+    try {
+      return Optional.of(style());
+    } catch (IllegalArgumentException e) {
+      return Optional.empty(); // is said when it is to be written
     }
+  }
 
-    void show(Optional<Figure> figure) {
-      int mine = turn.incrementAndGet();
-      image = null;
-      repaint();
-      figure.ifPresent(shown -> new Drawing(shown, mine).execute());
-    }
-
-    /** The drawing of one figure, in the background. */
-    private final class Drawing extends SwingWorker<BufferedImage, Void> {
-      private final Figure figure;
-      private final int mine;
-
-      Drawing(Figure figure, int mine) {
-        this.figure = figure;
-        this.mine = mine;
-      }
-
-      @Override
-      protected BufferedImage doInBackground() {
-        return draw(figure, mine);
-      }
-
-      @Override
-      protected void done() {
-        try {
-          take(get(), mine);
-        } catch (ExecutionException | InterruptedException e) {
-          take(null, mine); // another one has been asked for, or there is no memory for it
-        }
-      }
-    }
-
-    private BufferedImage draw(Figure figure, int mine) {
-      Progress untilAnother =
-          new Progress() {
-            @Override
-            public void report(double part, String message) {}
-
-            @Override
-            public boolean isCancelled() {
-              return turn.get() != mine;
-            }
-          };
-      return PictureFile.preview(scene, figure, WIDTH, untilAnother);
-    }
-
-    private void take(BufferedImage drawn, int mine) {
-      if (turn.get() == mine) {
-        image = drawn;
-        repaint();
-      }
+  /** Follows the width as it is typed. */
+  private final class Typing implements DocumentListener {
+    @Override
+    public void insertUpdate(DocumentEvent e) {
+      changed();
     }
 
     @Override
-    protected void paintComponent(Graphics g) {
-      super.paintComponent(g);
-      if (image != null) {
-        double part = Math.min(1, (double) getHeight() / image.getHeight());
-        int width = (int) Math.round(part * image.getWidth());
-        int height = (int) Math.round(part * image.getHeight());
-        g.drawImage(image, (getWidth() - width) / 2, 0, width, height, null);
-      }
+    public void removeUpdate(DocumentEvent e) {
+      changed();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent e) {
+      changed();
     }
   }
 }

@@ -3,13 +3,13 @@ package dct.ui.file;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
-import dct.render.Figure;
 import dct.render.PictureFile;
-import dct.render.PictureView;
+import dct.render.PictureStyle;
 import dct.render.Scene;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
+import dct.ui.dialog.Memory;
 import dct.ui.job.Jobs;
 import java.awt.Component;
 import java.io.UncheckedIOException;
@@ -21,6 +21,7 @@ import java.util.function.Consumer;
 /** Writes what a canvas shows to a picture file that the user names. */
 public final class PictureExport {
   private static final String TITLE = "Export Picture";
+  private static final String ENDING = "figure.ending";
 
   private final Component parent;
   private final CanvasPanel canvas;
@@ -29,7 +30,7 @@ public final class PictureExport {
   private PictureExport(Component parent, CanvasPanel canvas) {
     this.parent = parent;
     this.canvas = canvas;
-    this.options = new FigurePanel(canvas.scene(), canvas.viewport().yUp());
+    this.options = new FigurePanel(canvas);
   }
 
   /**
@@ -44,16 +45,29 @@ public final class PictureExport {
   }
 
   private void ask(String name, Jobs jobs, Consumer<String> done) {
-    Path suggested = Path.of(fileName(name) + ".png");
-    Optional<Path> typed =
-        Chooser.PICTURES.ask(parent, suggested, TITLE, chooser -> chooser.setAccessory(options));
-    if (typed.isPresent()) {
-      Path file = FileEnding.PNG.orElseOn(typed.get(), Content.PICTURE);
+    Path suggested = Path.of(fileName(name) + Memory.get(ENDING).orElse(".png"));
+    Optional<Path> file = askUntilUsable(suggested);
+    if (file.isPresent()) {
       options.remember();
-      boolean isFree = !Files.exists(file) || Chooser.confirmReplacing(parent, file);
-      if (isFree && isMeant(file)) {
-        export(name, file, jobs, done);
+      Memory.put(ENDING, FileEnding.require(file.get(), Content.PICTURE).dotted());
+      boolean isFree = !Files.exists(file.get()) || Chooser.confirmReplacing(parent, file.get());
+      if (isFree && isMeant(file.get())) {
+        export(name, file.get(), jobs, done);
       }
+    }
+  }
+
+  private Optional<Path> askUntilUsable(Path suggested) {
+    Optional<Path> file =
+        Chooser.PICTURES
+            .ask(parent, suggested, TITLE, chooser -> chooser.setAccessory(options))
+            .map(typed -> FileEnding.PNG.orElseOn(typed, Content.PICTURE));
+    try {
+      options.style();
+      return file;
+    } catch (IllegalArgumentException e) {
+      file.ifPresent(typed -> Ask.sorry(parent, TITLE, e.getMessage() + "."));
+      return file.flatMap(this::askUntilUsable);
     }
   }
 
@@ -71,37 +85,17 @@ public final class PictureExport {
 
   private void export(String name, Path file, Jobs jobs, Consumer<String> done) {
     Scene scene = canvas.scene();
-    PictureView view =
-        new PictureView(canvas.viewport(), canvas.getWidth(), canvas.getHeight(), canvas.notes());
-    Optional<Figure> figure = options.figure();
-    int scale = options.scale();
+    PictureStyle style = options.style();
     jobs.write(
         "Exporting " + file.getFileName(),
-        progress ->
-            write(
-                () -> {
-                  if (figure.isPresent()) {
-                    PictureFile.write(scene, figure.get(), name, file, progress);
-                  } else {
-                    PictureFile.write(scene, view, scale, file, progress);
-                  }
-                },
-                file),
+        progress -> {
+          try {
+            PictureFile.write(scene, style, name, file, progress);
+            return file;
+          } catch (CannotWriteException e) {
+            throw new UncheckedIOException(e);
+          }
+        },
         written -> done.accept("Exported " + written));
-  }
-
-  /** Writes a file. */
-  @FunctionalInterface
-  private interface Writing {
-    void write() throws CannotWriteException;
-  }
-
-  private static Path write(Writing writing, Path file) {
-    try {
-      writing.write();
-      return file;
-    } catch (CannotWriteException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 }
