@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
  * beside them in a file of the same name that ends in {@code .node} or {@code .poly}.
  */
 public final class EdgeFormat implements Format {
-  private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+[01]");
+  private static final Pattern COUNTS = Pattern.compile("0*[1-9][0-9]*\\s+[01]");
   private static final Pattern PLAIN = Pattern.compile("[01]\\s+[0-9]+\\s+[0-9]+");
   private static final Pattern MARKED = Pattern.compile("[01]\\s+[0-9]+\\s+[0-9]+\\s+-?[0-9]+");
   private static final String CURE = "correct the edge";
