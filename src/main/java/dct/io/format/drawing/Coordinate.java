@@ -42,9 +42,12 @@ final class Coordinate {
     return sum.precision() > 2 * LONGEST ? new BigDecimal(sum.doubleValue()) : sum;
   }
 
-  /** The decimal as it is written, unless it is so long that adding it up would take long. */
+  /**
+   * The decimal as it is written, unless it is so long that adding it up would take long, or so
+   * small that it is no number but zero.
+   */
   private static BigDecimal decimal(double number, String written) {
-    if (written.length() <= LONGEST) {
+    if (number != 0 && written.length() <= LONGEST) {
       BigDecimal decimal = new BigDecimal(written);
       if (Math.abs(decimal.scale()) <= LONGEST) {
         return decimal;

@@ -359,6 +359,12 @@ class SvgFormatTest {
   }
 
   @Test
+  void a_move_too_small_for_a_number_is_none() throws IOException {
+    assertThat(said(svg("<path d=\"M1 0l2e-99999999999 1 3-2z\"/>")))
+        .isEqualTo("ring: 1 0, 1 1, 4 -1");
+  }
+
+  @Test
   void a_line_of_ten_million_characters_is_read() throws IOException {
     int n = 1_000_000;
     StringBuilder points = new StringBuilder(12 * n);
