@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Text that holds no points: one sentence with file, line, cause and cure. */
 class BadTextTest {
@@ -128,6 +129,22 @@ class BadTextTest {
         .isEqualTo("1: the line is longer than 65536 bytes; " + FORM);
     assertThat(fault("garbage\n".repeat(1_000_000)))
         .isEqualTo("1: \"garbage\" is not a number; " + FORM);
+  }
+
+  /** Each long line is refused in one pass over it, and without a call for each character. */
+  @ParameterizedTest
+  @ValueSource(strings = {"1", "1.", "C", "ST", "a,", "\"a\",", "a\t\t\t", "1 ", "1\u00A0234"})
+  void a_long_line_of_the_same_again_and_again(String part) {
+    String line = part.repeat(32_000 / part.length());
+    assertThat(fault("1 2\n1" + " ".repeat(32_000) + "!")).startsWith("2: ");
+    assertThat(fault("1 2\n1" + line + "!")).startsWith("2: ").hasSizeLessThan(300);
+    assertThat(fault(line + "!\n1 2 3\n")).hasSizeLessThan(300);
+  }
+
+  @Test
+  void commas_alone_are_no_header() {
+    assertThat(fault(",\n1 2\n"))
+        .isEqualTo("1: a number is missing beside a comma or semicolon; " + FORM);
   }
 
   @Test

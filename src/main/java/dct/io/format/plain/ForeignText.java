@@ -10,11 +10,12 @@ enum ForeignText {
   BRACES("\\{.*", "the braces do not hold one vertex each; write two numbers x y in each pair"),
   BRACKETS("\\[.*", "the brackets do not hold one vertex each; write two numbers x y in each pair"),
   QUOTED("[\"'][+-]?[0-9.].*", "the quotation marks do not hold one number each; remove the marks"),
-  OFF("(ST|C|N|4|n)*OFF\\b.*", "this looks like OFF; write one vertex a line, as two numbers x y"),
-  PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y"),
-  HEADER(
-      "[\"']?[A-Za-z_][\\w .\"']*(\\s*[,;\\t]\\s*[\"']?[A-Za-z_][\\w .()\"']*)+",
-      "this looks like a header row below the first; remove it");
+  OFF(
+      "(ST)?[CN4n]{0,4}OFF\\b.*",
+      "this looks like OFF; write one vertex a line, as two numbers x y"),
+  PLY("ply", "this looks like PLY; write one vertex a line, as two numbers x y");
+
+  private static final String HEADER = "this looks like a header row below the first; remove it";
 
   private final Pattern pattern;
   private final String fault;
@@ -31,6 +32,7 @@ enum ForeignText {
         return Optional.of(form.fault);
       }
     }
-    return Optional.empty();
+    boolean isHeader = HeaderRow.isSeparated(line) && HeaderRow.of(line).isPresent();
+    return isHeader ? Optional.of(HEADER) : Optional.empty();
   }
 }

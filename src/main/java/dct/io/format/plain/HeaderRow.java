@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 
 /** The names of columns above the first row of numbers. */
 final class HeaderRow {
+  private static final Pattern SEPARATOR = Pattern.compile("[,;\t]");
+  private static final Pattern BLANKS = Pattern.compile("\\s+");
   private static final Pattern CELL = Pattern.compile("[\\p{L}_][^,;\t\"']*");
   private static final Set<String> X =
       Set.of("x", "xcoord", "xcoordinate", "lon", "long", "lng", "longitude", "easting", "east");
@@ -25,15 +27,20 @@ final class HeaderRow {
 
   /** The names in a line, if it is a row of two or more, each a word. */
   static Optional<HeaderRow> of(String line) {
-    boolean separated = line.chars().anyMatch(c -> c == ',' || c == ';' || c == '\t');
     List<String> names =
-        Arrays.stream((separated ? Pattern.compile("[,;\t]") : Pattern.compile("\\s+")).split(line))
+        Arrays.stream((isSeparated(line) ? SEPARATOR : BLANKS).split(line))
             .map(cell -> cell.strip().replaceAll("^([\"'])(.*)\\1$", "$2").strip())
             .toList();
     boolean areWords =
-        names.stream().skip(1).allMatch(cell -> CELL.matcher(cell).matches())
+        names.size() > 1
+            && names.stream().skip(1).allMatch(cell -> CELL.matcher(cell).matches())
             && (names.get(0).isEmpty() || CELL.matcher(names.get(0)).matches());
-    return names.size() > 1 && areWords ? Optional.of(new HeaderRow(names)) : Optional.empty();
+    return areWords ? Optional.of(new HeaderRow(names)) : Optional.empty();
+  }
+
+  /** Whether something else than blanks parts the cells of a line. */
+  static boolean isSeparated(String line) {
+    return SEPARATOR.matcher(line).find();
   }
 
   /** The columns of x and y, if one each has such a name. */

@@ -89,12 +89,12 @@ final class LooseLine {
     if (text.indexOf(',') >= 0 && GLUED.matcher(text).find() && APART.matcher(text).find()) {
       return Optional.empty(); // the commas can be decimal ones, or stand between thousands
     }
-    String data = text.strip().replaceFirst("\\s*[,;]$", "");
     List<Written> numbers = new ArrayList<>();
-    for (String word : SEPARATOR.split(data, -1)) {
+    for (String word : SEPARATOR.split(withoutLastSeparator(text.strip()), -1)) {
       double value = Decimals.parse(word);
-      if (!Double.isFinite(value)) {
-        value = Decimals.parse(FORTRAN.matcher(word).replaceFirst("$1e$2"));
+      Matcher fortran = FORTRAN.matcher(word);
+      if (fortran.matches()) {
+        value = Decimals.parse(fortran.replaceFirst("$1e$2"));
       }
       if (!Double.isFinite(value)) {
         return Optional.empty();
@@ -102,5 +102,10 @@ final class LooseLine {
       numbers.add(new Written(value, WHOLE.matcher(word).matches()));
     }
     return Optional.of(numbers);
+  }
+
+  private static String withoutLastSeparator(String data) {
+    boolean hasOne = data.endsWith(",") || data.endsWith(";");
+    return hasOne ? data.substring(0, data.length() - 1).stripTrailing() : data;
   }
 }
