@@ -67,6 +67,20 @@ class ResultFilesWindowTest extends WindowTest {
   }
 
   @Test
+  void theTitleSaysThatTheFileStillHoldsFlipsThatAreUndone() throws Exception {
+    draw();
+    ResultFrame monotone = pushForResult("Monotone Polygon Triangulation");
+    perform("Perform Flip");
+    perform("Save As");
+    typeName(folder.resolve("mine.json").toString());
+    assertThat(title()).startsWith("mine.json");
+    perform(monotone.commands(), "Undo");
+    assertThat(title()).startsWith("*mine.json");
+    perform(monotone.commands(), "Redo");
+    assertThat(title()).startsWith("mine.json");
+  }
+
+  @Test
   void aResultOfEarlierIsSavedAsACopy() throws Exception {
     Path own = folder.resolve("mine.json");
     draw();
@@ -114,6 +128,10 @@ class ResultFilesWindowTest extends WindowTest {
 
   private Optional<Solution> solution() {
     return onEventThread(() -> window.workbench().solution());
+  }
+
+  private String title() {
+    return onEventThread(window::getTitle);
   }
 
   private void perform(String command) {

@@ -123,15 +123,19 @@ public final class Editor {
   /** Says that the points of a state of the document are what this file holds. */
   public void saved(Document document, Origin to) {
     history.markSaved(document);
-    origin = Optional.of(to);
-    name = to.name();
-    changed();
+    isIn(to);
   }
 
   /** Says that this file holds all of a state of the document: also its wishes and its result. */
   public void wholeSaved(Document document, Origin to) {
     history.markWholeSaved(document);
-    saved(document, to);
+    isIn(to);
+  }
+
+  private void isIn(Origin file) {
+    origin = Optional.of(file);
+    name = file.name();
+    changed();
   }
 
   /** Says whether the file no longer holds the document that it is from. */

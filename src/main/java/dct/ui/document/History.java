@@ -21,6 +21,7 @@ public final class History {
   private Points saved;
   private ParityGoal savedWishes; // they have a file of their own
   private Optional<Result> savedResult;
+  private Optional<Document> whole; // what the file holds, if it keeps everything
   private boolean isFileLost; // the file no longer holds what was saved
 
   /**
@@ -37,6 +38,7 @@ public final class History {
     saved = start.points();
     savedWishes = start.wishes();
     savedResult = start.result();
+    whole = Optional.of(start);
   }
 
   /** The document as it is now. */
@@ -120,6 +122,7 @@ public final class History {
   public void markSaved(Document document) {
     isFileLost = false;
     saved = document.points();
+    whole = Optional.empty();
   }
 
   /** Says of which state the wishes were saved. */
@@ -132,6 +135,7 @@ public final class History {
     markSaved(document);
     markWishesSaved(document);
     savedResult = document.result();
+    whole = Optional.of(document);
   }
 
   /** Says whether the file no longer holds what was saved there. */
@@ -144,9 +148,9 @@ public final class History {
     return isFileLost;
   }
 
-  /** Whether anything would be lost with the document. */
+  /** Whether anything would be lost with the document, or its file holds what it has no longer. */
   public boolean isUnsaved() {
-    return isFileLost || isChanged() || hasUnsavedWishes() || hasUnsavedResult();
+    return isFileLost || isChanged() || hasUnsavedWishes() || hasUnsavedResult() || isTakenBack();
   }
 
   /** Whether the points differ from the saved ones. */
@@ -156,12 +160,29 @@ public final class History {
 
   /** Whether there are wishes that would be lost with the document. */
   public boolean hasUnsavedWishes() {
-    return !present.wishes().isAll(Wish.EVEN) && !present.wishes().equals(savedWishes);
+    return hasWishes(present) && !present.wishes().equals(savedWishes);
   }
 
   /** Whether there are flips or an optimum that would be lost with the document. */
   public boolean hasUnsavedResult() {
-    return present.result().filter(Result::isWorthKeeping).isPresent()
-        && !present.result().equals(savedResult);
+    return keepsResult(present) && !present.result().equals(savedResult);
+  }
+
+  /** Whether the file still holds wishes, flips or an optimum, and the document none. */
+  public boolean isTakenBack() {
+    return whole
+        .filter(
+            file ->
+                (hasWishes(file) && !hasWishes(present))
+                    || (keepsResult(file) && !keepsResult(present)))
+        .isPresent();
+  }
+
+  private static boolean hasWishes(Document document) {
+    return !document.wishes().isAll(Wish.EVEN);
+  }
+
+  private static boolean keepsResult(Document document) {
+    return document.result().filter(Result::isWorthKeeping).isPresent();
   }
 }

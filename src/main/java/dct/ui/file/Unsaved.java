@@ -18,7 +18,7 @@ public final class Unsaved {
       return editor.name() + " is not in its file any more, which was changed or removed.";
     }
     List<String> parts = new ArrayList<>();
-    if (history.isChanged()) {
+    if (history.isChanged() || history.isTakenBack()) {
       parts.add("changes");
     }
     if (history.hasUnsavedWishes()) {

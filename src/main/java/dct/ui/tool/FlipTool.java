@@ -27,9 +27,6 @@ public final class FlipTool implements Tool {
   /** How far from the mouse an edge may be, in pixels. */
   private static final double REACH = 12;
 
-  /** A mouse that moves less, in pixels, is still where it was. */
-  private static final double STILL = 6;
-
   /** Beyond so many vertices nothing is looked for until the scene is prepared for it. */
   private static final int AT_ONCE = 20_000;
 
@@ -38,8 +35,7 @@ public final class FlipTool implements Tool {
 
   private final FlipHost host;
   private Spot hover; // null while the mouse is elsewhere
-  private String news = ""; // of the flip made last, until the mouse goes elsewhere
-  private Spot newsAt;
+  private Optional<FlipNews> news = Optional.empty(); // of the flip made last
 
   /** A tool that flips the edges of this view. */
   public FlipTool(FlipHost host) {
@@ -72,9 +68,11 @@ public final class FlipTool implements Tool {
     if (solution.isEmpty()) {
       return host.refusal();
     }
-    if (!news.isEmpty()) {
+    Triangulation shown = solution.get().triangulation();
+    Optional<FlipNews> told = news.filter(flip -> flip.isOf(shown));
+    if (told.isPresent()) {
       String verdict = host.verdict();
-      return news + (verdict.isEmpty() ? "" : " — " + verdict);
+      return told.get().text() + (verdict.isEmpty() ? "" : " — " + verdict);
     }
     OptionalInt edge = edge(context, solution.get());
     return edge.isPresent()
@@ -121,23 +119,19 @@ public final class FlipTool implements Tool {
   @Override
   public void moved(ToolContext context, Spot spot) {
     hover = spot;
-    if (!news.isEmpty()
-        && Math.hypot(spot.screenX() - newsAt.screenX(), spot.screenY() - newsAt.screenY())
-            > STILL) {
-      news = "";
-    }
+    news = news.filter(flip -> flip.isAt(spot));
   }
 
   @Override
   public void left(ToolContext context) {
     hover = null;
-    news = "";
+    news = Optional.empty();
   }
 
   @Override
   public void pressed(ToolContext context, Spot spot) {
     hover = spot;
-    news = "";
+    news = Optional.empty();
     Optional<Solution> solution = host.solution();
     OptionalInt edge = edge(context);
     if (solution.isEmpty()) {
@@ -155,8 +149,8 @@ public final class FlipTool implements Tool {
       context.say(hint(solution, edge));
       return;
     }
-    news = "Flipped " + flip.get().removed() + ": " + gain(solution, flip.get());
-    newsAt = hover;
+    String made = "Flipped " + flip.get().removed() + ": " + gain(solution, flip.get());
+    news = Optional.of(new FlipNews(made, hover, solution.triangulation()));
     host.flip(edge);
   }
 

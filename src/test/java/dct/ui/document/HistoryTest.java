@@ -121,6 +121,18 @@ class HistoryTest {
   }
 
   @Test
+  void wishesThatTheFileStillHoldsAreUnsavedWhenTheyAreTakenBack() {
+    history.perform(Edit.draw(history.present(), 0, 0));
+    history.perform(Edit.wish(history.present(), 0, Wish.ODD));
+    history.markWholeSaved(history.present());
+    assertThat(history.isUnsaved()).isFalse();
+    history.undo();
+    assertThat(history.isUnsaved()).isTrue();
+    history.redo();
+    assertThat(history.isUnsaved()).isFalse();
+  }
+
+  @Test
   void anEditForgetsWhatWasUndone() {
     history.perform(Edit.draw(history.present(), 1, 1));
     history.undo();

@@ -100,6 +100,15 @@ class FlipToolTest {
   }
 
   @Test
+  void newsEndWhenTheFlipIsUndone() {
+    Optional<Solution> before = host.shown;
+    tool.pressed(context, onFlippable());
+    assertThat(tool.hint(context)).startsWith("Flipped v");
+    host.shown = before;
+    assertThat(tool.hint(context)).startsWith("Click to flip v4–v6");
+  }
+
+  @Test
   void newsStayUntilTheMouseGoesElsewhere() {
     Spot crossing = context.spot(285, 258); // where the diagonals cross
     tool.pressed(context, crossing);
