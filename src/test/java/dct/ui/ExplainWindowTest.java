@@ -11,9 +11,11 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JTextArea;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 
 /** Why? and Verify Result, of sites in the canvas and of a polygon's result. */
@@ -51,6 +53,33 @@ class ExplainWindowTest extends WindowTest {
     for (int v = 0; v < points.size(); v++) {
       assertThat(on.contains(at(canvas(), points.x(v), points.y(v)))).as("v" + v).isFalse();
     }
+  }
+
+  @Test
+  void theHeadingIsWrappedWhereTheDialogIsNarrow() {
+    draw("Point Sites Based");
+    perform(window, "Why?");
+    text("why");
+    Dialog why = dialogs("why").get(0);
+    JTextComponent heading =
+        onEventThread(() -> robot.finder().findByName(why, "heading", JTextComponent.class));
+    onEventThread(
+        () -> {
+          why.setSize(200, why.getHeight());
+          why.validate();
+          return null;
+        });
+    await(
+        "all of the heading is in the dialog",
+        () ->
+            onEventThread(
+                () -> {
+                  Rectangle2D end = heading.modelToView2D(heading.getDocument().getLength());
+                  return heading.getWidth() <= 200
+                      && end.getMaxX() <= heading.getWidth()
+                      && end.getMinY() > end.getHeight()
+                      && end.getMaxY() <= heading.getHeight();
+                }));
   }
 
   @Test

@@ -7,7 +7,6 @@ import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
-import java.awt.Font;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -15,7 +14,6 @@ import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -57,21 +55,12 @@ final class TextDialog extends JDialog {
     JScrollPane scroll = new JScrollPane(area);
     scroll.setPreferredSize(SIZE);
     scroll.setBorder(BorderFactory.createEmptyBorder());
-    add(heading(heading), BorderLayout.NORTH);
+    add(new Heading(heading, SIZE.width), BorderLayout.NORTH);
     add(scroll, BorderLayout.CENTER);
     add(buttons(), BorderLayout.SOUTH);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     EscapeKey.closes(this);
     pack();
-  }
-
-  private static JLabel heading(String text) {
-    JLabel label = new JLabel(text);
-    label.setName("heading");
-    label.setToolTipText(text); // where it does not fit
-    label.setFont(label.getFont().deriveFont(Font.BOLD));
-    label.setBorder(BorderFactory.createEmptyBorder(12, 12, 6, 12));
-    return label;
   }
 
   private JPanel buttons() {
