@@ -59,6 +59,9 @@ public final class LineFault {
 
   /** Throws if the line is no text in UTF-8. */
   void throwIfNotText() {
+    if (isPlain()) {
+      return;
+    }
     wideEncoding()
         .ifPresent(
             encoding -> {
@@ -81,6 +84,15 @@ public final class LineFault {
                 firstNonAscii()));
       }
     }
+  }
+
+  /** Whether the line is ASCII without control characters. */
+  private boolean isPlain() {
+    int i = 0;
+    while (i < line.length && (line[i] >= ' ' || ByteLines.isBlank(line[i]))) {
+      i++;
+    }
+    return i == line.length;
   }
 
   /** UTF-32 or UTF-16, by the mark at the front or by the zeros between the first characters. */

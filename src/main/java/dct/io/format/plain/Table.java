@@ -59,13 +59,13 @@ final class Table {
     values[at + 1] = y;
   }
 
-  /** Adds a row of numbers, and hears which of them are written as whole numbers. */
-  void add(List<LooseLine.Written> row, int line) {
-    require(row.size(), line);
+  /** Adds a row of a line, and hears which of its numbers are written as whole numbers. */
+  void add(NumberScan rows, int row, int line) {
+    require(rows.size(row), line);
     int at = room(line);
     for (int c = 0; c < width; c++) {
-      values[at + c] = row.get(c).value();
-      boolean whole = row.get(c).isWhole();
+      values[at + c] = rows.value(row, c);
+      boolean whole = rows.isWhole(row, c);
       startsWhole &= whole || c > 0;
       restWhole &= whole || c == 0;
     }

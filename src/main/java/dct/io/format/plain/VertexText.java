@@ -44,6 +44,7 @@ public final class VertexText {
   private final Columns columns;
   private final List<Part> parts = new ArrayList<>(); // what follows the words of poly2tri
   private final TextLayout layout;
+  private final LooseLine line = new LooseLine();
   private Optional<Domain> kind = Optional.empty();
 
   private VertexText(String name, ByteLines lines, Columns columns) {
@@ -173,34 +174,42 @@ public final class VertexText {
     if (lines.isCut()) {
       throw fault.exception();
     }
-    String line =
-        new String(
-            lines.bytes(), lines.start(), lines.end() - lines.start(), StandardCharsets.UTF_8);
-    String data = LooseLine.withoutComment(line);
-    if (data.isEmpty()) {
+    line.take(lines);
+    if (line.isEmpty()) {
       return;
     }
-    if (data.charAt(0) == '>') { // of the Generic Mapping Tools
+    if (line.first() == '>') { // of the Generic Mapping Tools
       layout.blankLine(table.size());
       return;
     }
-    if (table.size() == 0 && isHead(data)) {
+    if (table.size() == 0 && isHead(line.data())) {
       return;
     }
-    Matcher poly2tri = PART.matcher(data);
-    if (poly2tri.matches()) {
-      layout.ring(table.size());
-      parts.add(new Part(table.size(), kind(poly2tri.group())));
+    if (startsPart()) {
       return;
     }
-    List<List<LooseLine.Written>> rows = LooseLine.rows(data).orElseThrow(fault::exception);
-    for (List<LooseLine.Written> row : rows) {
-      if (row.size() < 2) {
+    NumberScan rows = line.rows().orElseThrow(fault::exception);
+    for (int row = 0; row < rows.rows(); row++) {
+      if (rows.size(row) < 2) {
         throw fault.exception();
       }
-      table.add(row, lines.number());
+      table.add(rows, row, lines.number());
       layout.vertex(table.size() - 1, false, false, (byte) ' ');
     }
+  }
+
+  /** Whether the line is a word of poly2tri. */
+  private boolean startsPart() {
+    if (!Character.isLetter(line.first())) {
+      return false;
+    }
+    Matcher poly2tri = PART.matcher(line.data());
+    if (!poly2tri.matches()) {
+      return false;
+    }
+    layout.ring(table.size());
+    parts.add(new Part(table.size(), kind(poly2tri.group())));
+    return true;
   }
 
   /** Whether it is a line above the numbers: Excel's separator, or the names of the columns. */
