@@ -1,6 +1,5 @@
 package dct.io.format.plain;
 
-import dct.core.Decimals;
 import dct.io.text.ByteLines;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
