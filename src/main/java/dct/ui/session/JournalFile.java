@@ -49,11 +49,21 @@ final class JournalFile implements Closeable {
           FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
       Document empty = Document.empty(document.domain());
       JournalFile journal = new JournalFile(file, lease, channel, empty);
-      journal.append(JournalText.head(document, name, origin));
-      journal.write(document);
+      journal.begin(JournalText.head(document, name, origin), document);
       return journal;
     } catch (IOException e) {
       lease.close();
+      throw e;
+    }
+  }
+
+  private void begin(String head, Document document) throws IOException {
+    try {
+      append(head);
+      write(document);
+    } catch (IOException e) {
+      channel.close();
+      delete(file);
       throw e;
     }
   }
@@ -97,10 +107,17 @@ final class JournalFile implements Closeable {
     written = document;
   }
 
+  /** Appends all of a text or, where the disk is full, nothing: steps may follow later. */
   private void append(String text) throws IOException {
+    long before = channel.position();
     ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
-    while (bytes.hasRemaining()) {
-      channel.write(bytes);
+    try {
+      while (bytes.hasRemaining()) {
+        channel.write(bytes);
+      }
+    } catch (IOException e) {
+      channel.truncate(before);
+      throw e;
     }
   }
 

@@ -7,11 +7,16 @@ import dct.testing.ProgramProcess;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A real process draws and is killed: no more than the last edit is lost. */
@@ -21,16 +26,23 @@ class JournalKillTest {
   @TempDir Path folder;
 
   private Process writer() throws IOException {
-    return new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Djava.awt.headless=true",
-            "-XX:TieredStopAtLevel=1",
-            "-cp",
-            ProgramProcess.classPath(),
-            JournalWriter.class.getName(),
-            folder.toString())
-        .redirectError(ProcessBuilder.Redirect.INHERIT)
-        .start();
+    return start(command());
+  }
+
+  private List<String> command() {
+    return List.of(
+        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        "-Djava.awt.headless=true",
+        "-XX:TieredStopAtLevel=1",
+        "-XX:-UsePerfData",
+        "-cp",
+        ProgramProcess.classPath(),
+        JournalWriter.class.getName(),
+        folder.toString());
+  }
+
+  private static Process start(List<String> command) throws IOException {
+    return new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
   }
 
   /** Kills a writer as soon as it has said that it has drawn so many vertices. */
@@ -67,6 +79,31 @@ class JournalKillTest {
       lane.await();
       assertThat(folder).isEmptyDirectory();
     }
+  }
+
+  /** A limit on the size of files stands for a full disk: the write that reaches it is cut. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void aWriteThatFailsLeavesNoPartOfAStep() throws Exception {
+    List<String> limited =
+        new ArrayList<>(List.of("bash", "-c", "ulimit -f 2 && exec \"$@\"", "-"));
+    limited.addAll(command());
+    Process writer = start(limited);
+    int vertices = 0;
+    try (BufferedReader said = writer.inputReader(StandardCharsets.US_ASCII)) {
+      for (String line = said.readLine(); line != null; line = said.readLine()) {
+        vertices = Integer.parseInt(line);
+      }
+    }
+    assertThat(writer.waitFor()).isEqualTo(1);
+    try (Stream<Path> files = Files.list(folder)) {
+      assertThat(files.filter(file -> file.toString().endsWith(JournalFile.ENDING)))
+          .singleElement()
+          .satisfies(journal -> assertThat(Files.readString(journal)).endsWith("\nend\n"));
+    }
+    List<Orphan> orphans = new Journals(folder, new Lane()).orphans();
+    assertThat(orphans).hasSize(1);
+    assertThat(orphans.get(0).document().points()).isEqualTo(drawn(vertices - 1));
   }
 
   @Test
