@@ -23,6 +23,7 @@ import dct.ui.document.Document;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -33,6 +34,8 @@ import java.util.regex.Pattern;
 public final class DocumentFile {
 
   private static final Pattern PACKED = Pattern.compile("(?i).*\\.gz");
+
+  private static final String DEVICE = "it is a device or a pipe, which may never end";
 
   private DocumentFile() {}
 
@@ -57,6 +60,10 @@ public final class DocumentFile {
    */
   static Read read(Path typed, Choice choice, Progress progress) {
     Path file = FileNames.forOpening(typed);
+    if (isDevice(file)) {
+      throw new BadInputException(
+          file.toString(), 0, DEVICE + "; put what it gives into a file and open that");
+    }
     Optional<FileStamp> stamp = FileStamp.of(file); // first, so that a change after it is seen
     PointDocument read = PointFile.read(file, choice, progress);
     Points points = read.points();
@@ -65,6 +72,11 @@ public final class DocumentFile {
           file.toString(), 0, "there are no points in it; choose another file");
     }
     return read(read, new Origin(file, stamp), progress);
+  }
+
+  /** Whether it is there, but holds nothing that could be read or written whole. */
+  private static boolean isDevice(Path file) {
+    return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
 
   private static Read read(PointDocument read, Origin origin, Progress progress) {
@@ -129,6 +141,9 @@ public final class DocumentFile {
    */
   static Optional<FileStamp> write(Path file, Document document, Progress progress) {
     try {
+      if (isDevice(file)) {
+        throw new CannotWriteException(file.toString(), DEVICE, null);
+      }
       if (keepsAll(file)) {
         writeAll(file, document, progress);
       } else {
