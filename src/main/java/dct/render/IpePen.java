@@ -7,13 +7,23 @@ import java.util.Locale;
  * Writes a drawing for the drawing editor Ipe (version 7.2): a layer for each part of it, vertices
  * as marks, colours by the names of what they stand for in a style of its own. The page is as large
  * as the sheet; y runs upwards there.
+ *
+ * <p>Where the page shows the whole scene, the marks and the outline of a polygon have the
+ * coordinates of the scene and a matrix that maps them to the page. The keywords of the document
+ * name that matrix, so that the points are read from it as they were.
  */
 final class IpePen implements Pen {
   private static final double MARK = 0.6; // half the side of a mark of size 1, as Ipe's own
 
+  private static final String KEYWORD = "dct-points "; // and the matrix; IpeReader knows it, too
+
   private final StringBuilder out = new StringBuilder();
   private final double unit;
   private final double height;
+  private final Scene scene;
+  private final String matrix; // from the scene to the page; empty if it does not show the whole
+  private final String[] marks; // by vertex; null where none is drawn
+  private int vertex = -1; // that is drawn next, -1 for none
   private Part part = Part.POLYGON;
   private Stroke stroke = Stroke.fill(Ink.BACKGROUND);
 
@@ -21,10 +31,14 @@ final class IpePen implements Pen {
   IpePen(Sheet sheet, Title title) {
     unit = sheet.points();
     height = sheet.height();
+    scene = sheet.scene();
+    matrix = sheet.isWhole() ? matrix(sheet.view()) : "";
+    marks = new String[scene.size()];
     out.append("<?xml version=\"1.0\"?>\n");
     out.append("<ipe version=\"70206\" creator=\"Degree Constrained Triangulation\">\n");
     out.append("<info title=\"").append(attribute(title.title()));
-    out.append("\" subject=\"").append(attribute(title.description())).append("\"/>\n");
+    out.append("\" subject=\"").append(attribute(title.description()));
+    out.append(matrix.isEmpty() ? "" : "\" keywords=\"" + KEYWORD + matrix).append("\"/>\n");
     style(sheet);
     out.append("<page>\n");
     StringBuilder layers = new StringBuilder();
@@ -36,6 +50,17 @@ final class IpePen implements Pen {
     if (sheet.theme() == Theme.DARK) {
       rectangle(0, 0, sheet.width(), sheet.height());
     }
+  }
+
+  private String matrix(Viewport view) {
+    double down = view.yUp() ? view.scale() : -view.scale();
+    return Decimals.format(unit * view.scale())
+        + " 0 0 "
+        + Decimals.format(unit * down)
+        + " "
+        + Decimals.format(unit * view.screenX(0))
+        + " "
+        + Decimals.format(unit * (height - view.screenY(0)));
   }
 
   private void style(Sheet sheet) {
@@ -63,12 +88,29 @@ final class IpePen implements Pen {
 
   /** The whole document; nothing can be drawn after. */
   String finish() {
+    flush();
     return out.append("</page>\n</ipe>\n").toString();
   }
 
   @Override
   public void part(Part following) {
+    flush();
     part = following;
+  }
+
+  /** Writes the marks in the order of the vertices. */
+  private void flush() {
+    for (int v = 0; v < marks.length; v++) {
+      if (marks[v] != null) {
+        out.append(marks[v]);
+        marks[v] = null;
+      }
+    }
+  }
+
+  @Override
+  public void vertex(int following) {
+    vertex = matrix.isEmpty() ? -1 : following;
   }
 
   @Override
@@ -93,10 +135,26 @@ final class IpePen implements Pen {
   }
 
   private void use(String mark, double x, double y, double radius) {
-    out.append("<use").append(layer()).append(" name=\"mark/").append(mark);
-    out.append("(sx)\" pos=\"").append(point(x, y)).append("\" size=\"");
-    out.append(Decimals.rounded(unit * radius / MARK)).append("\" stroke=\"");
-    out.append(name(stroke.ink())).append("\"/>\n");
+    boolean isOwn = vertex >= 0;
+    String text =
+        (isOwn ? place(vertex) : "\" pos=\"" + point(x, y))
+            + "\" name=\"mark/"
+            + mark
+            + "(sx)\" size=\""
+            + Decimals.rounded(unit * radius / MARK)
+            + "\" stroke=\""
+            + name(stroke.ink())
+            + "\"/>\n";
+    if (isOwn) {
+      marks[vertex] = "<use" + unclosedLayer() + text;
+    } else {
+      out.append("<use").append(unclosedLayer()).append(text);
+    }
+    vertex = -1;
+  }
+
+  private String place(int v) {
+    return "\" matrix=\"" + matrix + "\" pos=\"" + exact(v);
   }
 
   @Override
@@ -113,10 +171,12 @@ final class IpePen implements Pen {
 
   @Override
   public void polygon(double[] x, double[] y) {
+    boolean isOwn = !matrix.isEmpty() && stroke.ink() == Ink.INSIDE;
     out.append("<path").append(layer()).append(" fill=\"").append(name(stroke.ink()));
-    out.append("\" fillrule=\"eofill\">\n");
-    for (int i = 0; i < x.length; i++) {
-      out.append(point(x[i], y[i])).append(i == 0 ? " m\n" : " l\n");
+    out.append(isOwn ? "\" matrix=\"" + matrix : "").append("\" fillrule=\"eofill\">\n");
+    int corners = isOwn ? scene.size() : x.length;
+    for (int i = 0; i < corners; i++) {
+      out.append(isOwn ? exact(i) : point(x[i], y[i])).append(i == 0 ? " m\n" : " l\n");
     }
     out.append("h\n</path>\n");
   }
@@ -143,7 +203,15 @@ final class IpePen implements Pen {
   }
 
   private String layer() {
-    return " layer=\"" + part.word() + "\"";
+    return unclosedLayer() + "\"";
+  }
+
+  private String unclosedLayer() {
+    return " layer=\"" + part.word();
+  }
+
+  private String exact(int v) {
+    return Decimals.format(scene.x(v)) + " " + Decimals.format(scene.y(v));
   }
 
   private String point(double x, double y) {

@@ -19,6 +19,9 @@ public interface Pen {
   /** The part of the picture that everything drawn until the next call belongs to. */
   default void part(Part part) {}
 
+  /** The vertex of the scene that the next disc or square is. */
+  default void vertex(int vertex) {}
+
   /** The colour and line of everything drawn until the next call. */
   void style(Stroke stroke);
 

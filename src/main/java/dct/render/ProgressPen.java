@@ -25,6 +25,11 @@ final class ProgressPen implements Pen {
   }
 
   @Override
+  public void vertex(int vertex) {
+    pen.vertex(vertex);
+  }
+
+  @Override
   public void style(Stroke stroke) {
     next().style(stroke);
   }

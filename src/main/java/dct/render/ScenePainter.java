@@ -245,9 +245,10 @@ public final class ScenePainter {
       boolean asIndexed = !patch.meets(first, end);
       for (int place = first; place < end; place++) {
         if (asIndexed) {
-          vertex(inks, index.ink(place), index.x(place), index.y(place));
+          vertex(inks, index.vertex(place), index.ink(place), index.x(place), index.y(place));
         } else if (!patch.isLeft(place)) {
-          vertex(inks, scene.ink(index.vertex(place)), index.x(place), index.y(place));
+          int v = index.vertex(place);
+          vertex(inks, v, scene.ink(v), index.x(place), index.y(place));
         }
       }
     }
@@ -258,23 +259,24 @@ public final class ScenePainter {
   private void arrived(Set<Ink> inks) {
     if (patch.isArrived()) {
       int v = patch.site();
-      vertex(inks, scene.ink(v), scene.x(v), scene.y(v));
+      vertex(inks, v, scene.ink(v), scene.x(v), scene.y(v));
     }
   }
 
-  private void vertex(Set<Ink> inks, Ink ink, double x, double y) {
+  private void vertex(Set<Ink> inks, int v, Ink ink, double x, double y) {
     if (inks.contains(ink)) {
       if (ink != style) {
         pen.style(Stroke.fill(ink));
         style = ink;
       }
-      vertex(ink, view.screenX(x), view.screenY(y));
+      vertex(v, ink, view.screenX(x), view.screenY(y));
     }
   }
 
   /** Even vertices are discs and odd ones squares, so that they differ without colour too. */
-  private void vertex(Ink ink, double x, double y) {
+  private void vertex(int v, Ink ink, double x, double y) {
     if (clip.holds(x, y)) {
+      pen.vertex(v);
       if (ink == Ink.ODD) {
         pen.square(x, y, dot * Dots.SQUARE);
       } else {

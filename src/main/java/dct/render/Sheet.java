@@ -91,6 +91,16 @@ record Sheet(
     return new Box(0, 0, width, height);
   }
 
+  /** Whether no vertex of the scene lies beyond it. */
+  boolean isWhole() {
+    return scene
+        .bounds()
+        .map(view::screenBox)
+        .filter(shown -> box().holds(shown.minX(), shown.minY()))
+        .filter(shown -> box().holds(shown.maxX(), shown.maxY()))
+        .isPresent();
+  }
+
   /** The width in points of a printer. */
   double pointsWide() {
     return width * points;

@@ -20,6 +20,11 @@ record Affine(double a, double b, double c, double d, double e, double f) {
             y(first.e, first.f));
   }
 
+  /** The map that this one undoes, if it has neither a rotation nor a zero. */
+  Affine inverse() {
+    return new Affine(1 / a, 0, 0, 1 / d, -e / a, -f / d);
+  }
+
   boolean isIdentity() {
     return equals(IDENTITY);
   }

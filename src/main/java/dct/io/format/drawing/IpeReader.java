@@ -5,6 +5,7 @@ import dct.io.format.Shapes;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
 
 /** Goes through the elements of a file or selection of Ipe and collects paths and marks. */
 final class IpeReader {
@@ -13,6 +14,8 @@ final class IpeReader {
   private final Deque<Affine> open = new ArrayDeque<>(); // page and groups, of which each maps
   private int pages;
   private String layer = "";
+  private Optional<OwnFigure> figure = Optional.empty(); // if this program wrote the file
+  private boolean isPolygon; // whether an outline of a figure has been read
 
   IpeReader(Input input, String title) throws IOException {
     xml = new XmlText(input);
@@ -45,6 +48,9 @@ final class IpeReader {
     } else if (xml.element().equals("page")) {
       openPage();
     } else {
+      if (xml.element().equals("info")) {
+        figure = OwnFigure.of(xml);
+      }
       xml.skip(); // styles and what else belongs to no page
     }
   }
@@ -59,6 +65,10 @@ final class IpeReader {
     if (open.size() == 1 && !xml.attribute("layer").isEmpty()) {
       layer = xml.attribute("layer");
     }
+    if (isDrawn()) {
+      xml.skip();
+      return;
+    }
     switch (xml.element()) {
       case "group" -> open.push(matrix());
       case "path" -> path();
@@ -68,6 +78,14 @@ final class IpeReader {
       case "layer" -> layer();
       default -> xml.skip();
     }
+  }
+
+  /** Whether an object of a figure of this program is only drawn from the points. */
+  private boolean isDrawn() {
+    return figure.isPresent()
+        && !xml.element().equals("group")
+        && !xml.element().equals("layer")
+        && !figure.get().isInput(xml, layer, isPolygon);
   }
 
   private void leaveOut(LeftOut what) throws IOException {
@@ -85,13 +103,20 @@ final class IpeReader {
     return open.peek().of(Transform.ofIpe(xml, xml.attribute("matrix")));
   }
 
+  /** The map of an object to the plane of the points. */
+  private Affine toPoints() {
+    Affine matrix = matrix();
+    return figure.map(own -> own.toPoints(matrix)).orElse(matrix);
+  }
+
   private String label() {
     return pages == 1 ? layer : "page " + pages + (layer.isEmpty() ? "" : ", " + layer);
   }
 
   private void path() throws IOException {
     String label = label();
-    Affine matrix = matrix();
+    Affine matrix = toPoints();
+    isPolygon |= figure.isPresent() && OwnFigure.isOutline(layer);
     int start = xml.lineBehind();
     new IpePath(xml, shapes, matrix, () -> label).add(xml.text(), start);
   }
@@ -101,7 +126,7 @@ final class IpeReader {
       leaveOut(LeftOut.SYMBOL);
       return;
     }
-    Affine matrix = matrix();
+    Affine matrix = toPoints();
     String written = xml.attribute("pos"); // Ipe leaves out that of the origin
     NumberText position = new NumberText(written.isEmpty() ? "0 0" : written);
     double px = number(position);
