@@ -26,6 +26,11 @@ final class ProgressStreams {
       }
 
       @Override
+      public int available() {
+        return 0; // which is always true, and of a pipe cannot be asked
+      }
+
+      @Override
       public int read(byte[] bytes, int from, int length) throws IOException {
         progress.checkCancelled();
         int read = super.read(bytes, from, length);

@@ -17,6 +17,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -154,6 +156,20 @@ class PointFileTest {
     Path file = folder.resolve("many_pointbased.txt");
     PointFile.write(file, Domain.SITES, many, Progress.NONE);
     assertThat(PointFile.read(file, Progress.NONE).points()).isEqualTo(many);
+  }
+
+  /** As {@code dct check <(command)} gives it. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void reads_a_pipe_to_its_end(@TempDir Path folder) throws Exception {
+    Path pipe = folder.resolve("pipe");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    Points many = RandomSites.uniform(10_000, 7);
+    Path file = folder.resolve("many_pointbased.txt");
+    PointFile.write(file, Domain.SITES, many, Progress.NONE);
+    Process writer = new ProcessBuilder("cp", file.toString(), pipe.toString()).start();
+    assertThat(PointFile.read(pipe, Progress.NONE).points()).isEqualTo(many);
+    assertThat(writer.waitFor()).isZero();
   }
 
   @Test
