@@ -6,11 +6,14 @@ import dct.io.format.drawing.IpeFormat;
 import dct.io.format.drawing.OtherXml;
 import dct.io.format.drawing.SvgFormat;
 import dct.io.format.json.JsonFormat;
+import dct.io.format.lists.CgalFormat;
+import dct.io.format.lists.QhullFormat;
 import dct.io.format.lists.TsplibFormat;
 import dct.io.format.mesh.EdgeFormat;
 import dct.io.format.mesh.EleFormat;
 import dct.io.format.mesh.ObjFormat;
 import dct.io.format.mesh.OffFormat;
+import dct.io.format.mesh.PlyFormat;
 import dct.io.format.mesh.TriangleFormat;
 import dct.io.format.plain.PlainFormat;
 import dct.io.format.wkt.WktFormat;
@@ -27,7 +30,10 @@ public final class Formats {
           new JsonFormat(),
           new OffFormat(),
           new ObjFormat(),
+          new PlyFormat(),
           new TsplibFormat(),
+          new CgalFormat(),
+          new QhullFormat(),
           new TriangleFormat(),
           new EleFormat(),
           new EdgeFormat(),

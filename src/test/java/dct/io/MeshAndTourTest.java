@@ -12,11 +12,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** OFF, OBJ and TSPLIB: read as meant, or refused in one sentence with its line. */
+/**
+ * OFF, OBJ, PLY, TSPLIB, CGAL and Qhull: read as meant, or refused in one sentence with its line.
+ */
 class MeshAndTourTest {
   private static final String SQUARE = "4 1 0\n0 0 1\n4 0 1\n4 4 1\n0 4 1\n4 3 2 1 0\n";
   private static final String TOUR =
       "NAME: a\nTYPE : TSP\nDIMENSION : 3\nNODE_COORD_SECTION\n1 0 0\n2 1e1 0\n3 5 5.5\nEOF\n";
+
+  private static final String PLY =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+          + "element face 1\nproperty list uchar int vertex_index\nend_header\n"
+          + "0 0\n4 0\n4 4\n0 4\n4 3 2 1 0\n";
+  private static final String RBOX = "2 rbox 3 D2\n3\n0 0\n4 0\n4 5.5\n";
 
   private static PointDocument read(String text) throws IOException {
     return PointFile.read("in", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
@@ -30,6 +38,8 @@ class MeshAndTourTest {
   @ValueSource(
       strings = {
         "OFF\n" + SQUARE,
+        PLY,
+        "nOFF 3\n" + SQUARE,
         "# one\nOFF " + SQUARE,
         "# c\no a\nv 0 0\nv 4 0\nv 4 4\nv 0 4\nf 4/1 3/1/2 2 1\n",
         "v 0 0 2\nv 4 0 2\nv 4 4 2\nv 0 4 2\nf -1 -2 -3 -4\n"
@@ -63,6 +73,30 @@ class MeshAndTourTest {
   }
 
   @Test
+  void a_dimension_and_a_fourth_coordinate() throws IOException {
+    assertThat(read("nOFF 2\n" + SQUARE.replace(" 1\n", "\n")).notes()).isEmpty();
+    assertThat(read("STCN4nOFF\n3\n" + SQUARE.replace(" 1\n", " 1 1\n")).notes())
+        .containsExactly("What STCN4nOFF holds behind the coordinates is left out");
+  }
+
+  @Test
+  void polygons_of_cgal_are_no_table() throws IOException {
+    assertThat(read("3 0 0 4 0 4 5.5\n").declared()).contains(Domain.POLYGON);
+    assertThat(fault("3 0 0 4 0 4 5.5 0\n")).startsWith("in:1: these can be a count, 3 vertices");
+    assertThat(fault("3 0 0 4 0 4 5.5\n2 0 0 4 0 4 5.5\n")).startsWith("in:1: of the 7 columns");
+  }
+
+  @Test
+  void headers_of_ply_are_read_in_their_order() {
+    assertThat(fault(PLY.replace("ascii", "binary_big_endian"))).startsWith("in:2: this is binary");
+    assertThat(fault(PLY.replace("float y", "float w"))).startsWith("in:8: the vertices need");
+    assertThat(fault(PLY.replace("vertex_index", "flags"))).startsWith("in:8: the faces do not");
+    assertThat(fault(PLY.replace("element face 1", "face 1"))).startsWith("in:6: \"face\" is no");
+    assertThat(fault("ply\nproperty float x\n")).startsWith("in:2: this property belongs to no");
+    assertThat(fault("ply\nelement\n")).startsWith("in:2: a name is missing");
+  }
+
+  @Test
   void wrong_counts_and_numbers_are_refused_with_their_line() {
     assertThat(fault("OFF\n999999999 1 0\n0 0 0\n")).startsWith("in:3: the file ends after 1 of");
     assertThat(fault("OFF\n" + SQUARE.replace("4 3 2", "4 9 2"))).startsWith("in:7: there is no");
@@ -74,7 +108,19 @@ class MeshAndTourTest {
 
   @Test
   void no_cut_off_file_fails_in_another_way() {
-    for (String text : new String[] {"OFF\n" + SQUARE, TOUR, "v 0 0\nv 4 0\nv 4 4\nf -1 2/2 1\n"}) {
+    String polygon = "4 0 0 4 0 4 4 0 4 1 3 1 1 2 2 2 1";
+    String count = "1\n3 0\n0 0\n4 0\n4 4\n";
+    for (String text :
+        new String[] {
+          "OFF\n" + SQUARE,
+          PLY,
+          RBOX,
+          polygon,
+          count,
+          "nOFF 2\n" + SQUARE,
+          TOUR,
+          "v 0 0\nv 4 0\nv 4 4\nf -1 2/2 1\n"
+        }) {
       for (int end = 0; end < text.length(); end++) {
         try {
           assertThat(read(text.substring(0, end)).points().size()).isPositive();

@@ -33,12 +33,26 @@ final class Mesh {
 
   /** Adds the vertex whose x stands in this word of the row. */
   void vertex(Rows rows, int word) {
-    double z = rows.words().size() > word + 2 ? rows.number(word + 2) : 0;
+    vertex(rows, word, 3);
+  }
+
+  /** The same of a vertex that has so many coordinates, 2 or 3. */
+  void vertex(Rows rows, int word, int dimension) {
+    boolean hasHeight = dimension > 2 && rows.words().size() > word + 2;
+    add(
+        rows.number(word),
+        rows.number(word + 1),
+        hasHeight ? rows.number(word + 2) : 0,
+        rows.line());
+  }
+
+  /** Adds a vertex. */
+  void add(double x, double y, double z, int line) {
     if (size() == 0) {
       height = z;
     }
     isUneven |= z != height;
-    vertices.add(rows.number(word), rows.number(word + 1), rows.line());
+    vertices.add(x, y, line);
   }
 
   void face(int[] corners, int line) {

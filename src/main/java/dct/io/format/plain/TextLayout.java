@@ -61,6 +61,16 @@ public final class TextLayout {
     return startsWhole && count < 0;
   }
 
+  /** The number in the first line, if two whole numbers follow that could be counts; or else 0. */
+  int polygons() {
+    return startsWhole && counted == count ? count : 0;
+  }
+
+  /** The last line of counts. */
+  int countLine() {
+    return countLine;
+  }
+
   /** Whether there was a line of counts. */
   boolean hasCount() {
     return count >= 0;

@@ -88,6 +88,13 @@ public final class VertexText {
     Points read = points.points();
     int[] numbers = points.lines();
     boolean isCertain = kind.isPresent() || columns.skipped() > 0 || table.hasHeader();
+    if (!isCertain && layout.polygons() > 0) {
+      Optional<List<Shape>> polygons =
+          new CountedPolygons(name, read, numbers).shapes(layout.polygons(), layout.countLine());
+      if (polygons.isPresent()) {
+        return new Shapes(PlainFormat.TITLE, polygons.get(), notes);
+      }
+    }
     if (!isCertain) { // else the program wrote it, or its reader has looked at the first line
       layout.check(read, numbers);
     }

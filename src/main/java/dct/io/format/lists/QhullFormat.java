@@ -1,0 +1,66 @@
+package dct.io.format.lists;
+
+import dct.io.format.Format;
+import dct.io.format.Head;
+import dct.io.format.Input;
+import dct.io.format.PointColumns;
+import dct.io.format.Rows;
+import dct.io.format.Shape;
+import dct.io.format.Shapes;
+import java.io.IOException;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/**
+ * Input of Qhull, as its {@code rbox} writes it: a line with the dimension and perhaps a comment,
+ * one with the number of points, then the points. The two lines may be exchanged.
+ */
+public final class QhullFormat implements Format {
+  private static final Pattern FIRST = Pattern.compile("[0-9]+(\\s+[A-Za-z].*)?");
+  private static final Pattern SECOND = Pattern.compile("[0-9]+");
+  private static final int PLANE = 2;
+
+  @Override
+  public String title() {
+    return "Qhull";
+  }
+
+  @Override
+  public boolean fits(Head head) {
+    List<String> rows = Rows.of(head).limit(3).toList();
+    return rows.size() > 1
+        && FIRST.matcher(rows.get(0)).matches()
+        && SECOND.matcher(rows.get(1)).matches()
+        && (rows.size() == 2 || rows.get(2).indexOf(' ') > 0 || rows.get(2).indexOf('\t') > 0);
+  }
+
+  @Override
+  public Shapes read(Input input) throws IOException {
+    Rows rows = new Rows(input);
+    rows.next(0, 1, "dimensions");
+    int first = rows.count(0);
+    rows.next(0, 1, "counts");
+    int second = rows.count(0);
+    int dimension = Math.min(first, second);
+    int count = Math.max(first, second);
+    if (dimension != PLANE) {
+      throw rows.fault(
+          "the points of this input of Qhull have "
+              + dimension
+              + " coordinates; write points of the plane, behind the dimension 2");
+    }
+    PointColumns points = new PointColumns();
+    while (points.size() < count) {
+      rows.next(points.size(), count, "points");
+      if (rows.words().size() != PLANE) {
+        throw rows.fault(
+            "there are " + rows.words().size() + " numbers, not 2; write one point a line");
+      }
+      points.add(rows.number(0), rows.number(1), rows.line());
+    }
+    if (rows.next()) {
+      throw rows.fault("the file goes on behind its last point; correct the count");
+    }
+    return Shapes.of(title(), Shape.of(Shape.Kind.SITES, "", points));
+  }
+}
