@@ -113,7 +113,7 @@ public final class PointFile {
   }
 
   /** Tells the format of a text, reads it, and makes something of what it holds. */
-  private static <T> T recognized(
+  static <T> T recognized(
       String name,
       InputStream in,
       Optional<Path> file,

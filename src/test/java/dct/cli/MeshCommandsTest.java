@@ -33,6 +33,49 @@ class MeshCommandsTest {
         .contains("verified: 5 sites triangulated by an unknown method, 1 even, 4 odd");
   }
 
+  @Test
+  void its_triangulation_is_verified_without_a_result() throws IOException {
+    for (String name : new String[] {"a.off", "a.obj", "a.ele", "a.edge", "a.instance.json"}) {
+      Path file = folder.resolve(name);
+      CliRun.of("convert", mesh, "-o", file);
+      assertThat(CliRun.of("verify", file, "--input", mesh).done().out())
+          .isEqualTo(
+              file + ": verified: 5 sites triangulated by an unknown method, 1 even, 4 odd\n");
+    }
+    Path off = folder.resolve("a.off");
+    assertThat(CliRun.withInput(Files.readString(off), "verify", "-", "--json").done().out())
+        .contains("\"verdict\":\"true\"");
+    Files.writeString(folder.resolve("m.node"), NODES.replace("5 1 2", "5 2 1"));
+    CliRun other = CliRun.of("verify", off, "--input", mesh);
+    assertThat(other.status()).isEqualTo(4);
+    assertThat(other.err()).startsWith(off + ": ").contains(mesh.toString());
+  }
+
+  @Test
+  void triangles_that_are_no_triangulation_are_false() throws IOException {
+    Files.writeString(mesh, TRIANGLES.replace("1 1 2 5", "1 1 2 3"));
+    CliRun run = CliRun.of("verify", mesh);
+    assertThat(run.status()).isEqualTo(4);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err())
+        .matches(mesh + ":\\d+: its triangles are no triangulation of its sites: [^\n]+\n");
+    assertThat(CliRun.of("verify", mesh, "--json").out()).contains("\"verdict\":\"false\"");
+    assertThat(CliRun.of("verify", mesh, "--quiet").err()).isEmpty();
+  }
+
+  @Test
+  void a_file_of_points_alone_cannot_be_verified() {
+    CliRun run = CliRun.of("verify", folder.resolve("m.node"));
+    assertThat(run.status()).isEqualTo(3);
+    assertThat(run.err())
+        .isEqualTo(
+            folder.resolve("m.node")
+                + ": the format is Triangle, and it holds no triangulation; triangulate it"
+                + " first\n");
+    assertThat(CliRun.withInput("0 0\n1 0\n0 1\n", "verify", "-").err())
+        .isEqualTo("-: the format is Text, and it holds no triangulation; triangulate it first\n");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"a.off", "a.obj", "a.ele", "a.json", "a.instance.json"})
   void a_format_that_can_hold_it_keeps_it(String name) throws IOException {

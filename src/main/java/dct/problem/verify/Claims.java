@@ -90,6 +90,11 @@ public final class Claims {
     return pointLines.clone();
   }
 
+  /** The same where nothing is known of the lines of points. */
+  public Claims withoutLines() {
+    return new Claims(source, values, points, new int[points.size()], edges, flips);
+  }
+
   /** Whether the file has a list of edges. */
   public boolean hasEdges() {
     return edges != null;
