@@ -6,12 +6,13 @@ package dct.render;
  * letters are as large as on a screen they are in pixels.
  *
  * @param lines the width of lines, for each pixel of it on a screen
+ * @param thinnest the least width of a line
  * @param dots the radius of dots and rings, for each pixel of it on a screen
  * @param isTold whether lines are told apart by dashes and width, too, and not by colour alone
  */
-record Gauge(double lines, double dots, boolean isTold) {
+record Gauge(double lines, double thinnest, double dots, boolean isTold) {
   /** What the screen shows. */
-  static final Gauge SCREEN = new Gauge(1, 1, false);
+  static final Gauge SCREEN = new Gauge(1, 0, 1, false);
 
   private static final double HEAVY = 1.8;
 
@@ -19,7 +20,8 @@ record Gauge(double lines, double dots, boolean isTold) {
   Stroke of(Stroke stroke) {
     boolean dashed = stroke.dashed() || (isTold && stroke.ink() == Ink.PARTITION);
     boolean heavy = isTold && (stroke.ink() == Ink.FLIPPED || stroke.ink() == Ink.FIRST);
-    return new Stroke(stroke.ink(), stroke.width() * lines * (heavy ? HEAVY : 1), dashed);
+    double width = stroke.width() * lines * (heavy ? HEAVY : 1);
+    return new Stroke(stroke.ink(), Math.max(thinnest, width), dashed);
   }
 
   /** The radius of the ring round a dot of this radius. */

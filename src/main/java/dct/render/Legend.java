@@ -38,18 +38,20 @@ final class Legend {
   /** A legend whose samples are drawn as the scene is with this gauge. */
   Legend(Scene scene, Gauge gauge) {
     this.gauge = gauge;
-    addVertices(scene);
+    boolean isComparison = isComparison(scene);
+    addVertices(scene, isComparison ? "Parity differs" : "Unmet wish");
     List<Stroke> strokes = new ArrayList<>(scene.strokes());
     Collections.reverse(strokes);
     for (Stroke stroke : strokes) {
-      String word = word(stroke.ink(), scene.isPolygon());
+      boolean isCommon = isComparison && stroke.ink() == Ink.PROPOSED;
+      String word = isCommon ? "In both" : word(stroke.ink(), scene.isPolygon());
       if (!word.isEmpty()) {
         entries.add(new Entry(Shape.LINE, stroke, word));
       }
     }
   }
 
-  private void addVertices(Scene scene) {
+  private void addVertices(Scene scene, String ring) {
     if (scene.hasVertex(Ink.EVEN)) {
       entries.add(new Entry(Shape.DISC, Stroke.fill(Ink.EVEN), "Even degree"));
     }
@@ -57,8 +59,14 @@ final class Legend {
       entries.add(new Entry(Shape.SQUARE, Stroke.fill(Ink.ODD), "Odd degree"));
     }
     if (scene.unmet().length > 0) {
-      entries.add(new Entry(Shape.RING, Stroke.solid(Ink.UNMET, 2), "Unmet wish"));
+      entries.add(new Entry(Shape.RING, Stroke.solid(Ink.UNMET, 2), ring));
     }
+  }
+
+  private static boolean isComparison(Scene scene) {
+    return scene.strokes().stream()
+        .map(Stroke::ink)
+        .anyMatch(ink -> ink == Ink.FIRST || ink == Ink.SECOND);
   }
 
   private static String word(Ink ink, boolean polygon) {
@@ -68,6 +76,8 @@ final class Legend {
       case PARTITION -> "Partition";
       case FLIPPED -> "Flipped";
       case DEFECT -> "Not simple";
+      case FIRST -> "Only in A";
+      case SECOND -> "Only in B";
       default -> "";
     };
   }

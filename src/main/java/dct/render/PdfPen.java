@@ -206,7 +206,7 @@ final class PdfPen implements Pen, AutoCloseable {
 
   private void rim(boolean isOn) throws IOException {
     out.setRenderingMode(isOn ? RenderingMode.STROKE : RenderingMode.FILL);
-    out.setLineWidth(isOn ? GraphicsPen.RIM / 2 : (float) stroke.width());
+    out.setLineWidth(isOn ? GraphicsPen.RIM : (float) stroke.width());
     colours(isOn ? Ink.BACKGROUND : stroke.ink());
   }
 

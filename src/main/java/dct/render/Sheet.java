@@ -37,6 +37,7 @@ record Sheet(
   private static final double MM = INCH / 25.4;
   private static final double DOTS_OF_PAPER = 300; // an inch, in an image
   private static final double THIN = 0.52; // 1.2 units are 0.4 pt
+  private static final double HAIR = 0.25 / PAPER; // what printers still show, 0.25 pt
   private static final double SMALL = 0.55; // dots are 1.6 pt
 
   /**
@@ -75,7 +76,7 @@ record Sheet(
         width,
         points,
         figure.scale() * (isPaper ? points / INCH * DOTS_OF_PAPER : 1),
-        new Gauge(isPaper ? THIN : 1, isPaper ? SMALL : 1, isTold),
+        new Gauge(isPaper ? THIN : 1, isPaper ? HAIR : 0, isPaper ? SMALL : 1, isTold),
         figure.theme(),
         Optional.empty(),
         Optional.empty());

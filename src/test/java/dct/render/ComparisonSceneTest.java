@@ -3,6 +3,7 @@ package dct.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.problem.Comparison;
@@ -38,6 +39,20 @@ class ComparisonSceneTest {
     assertThat(scene.unmet()).hasSize(comparison.parities().size());
     assertThat(String.join("\n", scene.counts()))
         .contains("one", "other", Integer.toString(comparison.common()));
+  }
+
+  @Test
+  void theLegendNamesTheEdgesOfEachAndWhatRingsMean() {
+    Comparison comparison =
+        Comparison.of(
+            solution(Method.MONOTONE).triangulation(),
+            solution(Method.CONVEX_EVEN).triangulation());
+    RecordingPen pen = new RecordingPen();
+    Legend legend = new Legend(ComparisonScene.of(comparison, "one", "other"));
+    legend.write(pen, new Box(0, 0, 300, 200), false);
+    assertThat(pen.texts())
+        .contains("Only in A", "Only in B", "In both", "Parity differs")
+        .doesNotContain("Unmet wish");
   }
 
   @Test

@@ -55,6 +55,8 @@ class FigureTest {
     assertThat(sheet.points() * 14).isBetween(7.0, 9.0); // counts
     Stroke diagonal = sheet.gauge().of(Stroke.solid(Ink.DIAGONAL, 1.2));
     assertThat(sheet.points() * diagonal.width()).isCloseTo(0.4, within(0.01));
+    Stroke faint = sheet.gauge().of(Stroke.solid(Ink.PROPOSED, 0.5));
+    assertThat(sheet.points() * faint.width()).isCloseTo(0.25, within(1e-9));
   }
 
   @Test
