@@ -16,6 +16,7 @@ import org.apache.pdfbox.pdmodel.PDPageContentStream;
 import org.apache.pdfbox.pdmodel.common.PDRectangle;
 import org.apache.pdfbox.pdmodel.font.PDFont;
 import org.apache.pdfbox.pdmodel.font.PDType0Font;
+import org.apache.pdfbox.util.Matrix;
 
 /** A PDF document of one page, as large as its drawing. The same drawing gives the same bytes. */
 public final class PdfPage {
@@ -30,20 +31,31 @@ public final class PdfPage {
     }
   }
 
-  /** Writes what is drawn on a page of this size, in points; text is text. */
+  /**
+   * Writes what is drawn on a page of this size; text is text.
+   *
+   * @param points the points of a printer for each unit of the size and of what is drawn
+   */
   public static void write(
-      String title, int width, int height, Consumer<Graphics2D> drawing, OutputStream out)
+      String title,
+      int width,
+      int height,
+      double points,
+      Consumer<Graphics2D> drawing,
+      OutputStream out)
       throws IOException {
     try (PDDocument document = new PDDocument()) {
       document.setDocumentId(1L); // otherwise it is the time
       document.getDocumentInformation().setTitle(title);
-      PDPage page = new PDPage(new PDRectangle(width, height));
+      PDPage page =
+          new PDPage(new PDRectangle((float) (points * width), (float) (points * height)));
       document.addPage(page);
       PdfBoxGraphics2D graphics = new PdfBoxGraphics2D(document, width, height);
       graphics.setFontTextDrawer(new OneFont(font(document)));
       drawing.accept(graphics);
       graphics.dispose();
       try (PDPageContentStream content = new PDPageContentStream(document, page)) {
+        content.transform(Matrix.getScaleInstance((float) points, (float) points));
         content.drawForm(graphics.getXFormObject());
       }
       document.save(out, CompressParameters.NO_COMPRESSION); // PDF 1.4, for older TeX

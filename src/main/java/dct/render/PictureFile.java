@@ -16,7 +16,8 @@ import java.util.Optional;
 
 /** Writes scenes as pictures. */
 public final class PictureFile {
-  private static final int MOST_FOR_TEX = 3_000; // edges that TeX draws in some seconds
+  private static final int MOST_FOR_TEX = 3_000; // edges that TeX draws in about a second
+  private static final int TOO_MANY_FOR_TEX = 20_000; // that nearly fill its usual memory
 
   private PictureFile() {}
 
@@ -54,10 +55,10 @@ public final class PictureFile {
         ? Optional.of(
             String.format(
                 Locale.ROOT,
-                "TeX needs long for %d edges, above %d it may run out of memory; a .pdf of the same"
-                    + " picture is included at once",
+                "TeX needs seconds for %d edges each time, and above some %d it runs out of memory;"
+                    + " a .pdf of the same picture is included at once",
                 scene.edgeCount(),
-                MOST_FOR_TEX))
+                TOO_MANY_FOR_TEX))
         : Optional.empty();
   }
 

@@ -23,7 +23,7 @@ public final class LatexText {
   private static final int LENGTH = 42; // rows of a page
   private static final String SIZE = "\\footnotesize";
   private static final String FIT =
-      "\\resizebox{\\ifdim\\width>\\textwidth\\textwidth\\else\\width\\fi}{!}{%\n";
+      "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n";
 
   private LatexText() {}
 

@@ -16,10 +16,16 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
-/** Writes charts as pictures, light on white. */
+/**
+ * Writes charts as pictures, light on white. A PDF is as wide as both columns of a paper, with
+ * letters of 7 to 9 pt.
+ */
 public final class ChartFile {
   private static final int WIDTH = 900;
   private static final int HEIGHT = 480;
+  private static final int PAGE_WIDTH = 774; // of a PDF: 174 mm, both columns of a paper
+  private static final int PAGE_HEIGHT = 430;
+  private static final double POINTS = 0.637; // of each unit there: letters of 11 are 7 pt
   private static final int DOTS = 2; // of an image, for each unit
 
   private ChartFile() {}
@@ -40,7 +46,14 @@ public final class ChartFile {
       case PNG -> PngEncoder.write(image(chart), out);
       case SVG -> out.write(svg(chart).getBytes(StandardCharsets.UTF_8));
       case PDF ->
-          PdfPage.write(chart.title(), WIDTH, HEIGHT, graphics -> paint(chart, graphics), out);
+          PdfPage.write(
+              chart.title(),
+              PAGE_WIDTH,
+              PAGE_HEIGHT,
+              POINTS,
+              graphics ->
+                  ChartPainter.paint(chart, graphics, PAGE_WIDTH, PAGE_HEIGHT, Theme.LIGHT),
+              out);
       default -> throw new IllegalArgumentException(ending + " is no chart");
     }
   }

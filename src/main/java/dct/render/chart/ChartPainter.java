@@ -121,6 +121,9 @@ public final class ChartPainter {
         .setToolTipsEnabled(false);
     if (chart.isShare()) {
       styler.setYAxisMax(WHOLE);
+      if (chart.hasBars()) {
+        styler.setYAxisMin(0.0);
+      }
     }
     styler.setErrorBarsColorSeriesColor(!chart.hasBars()).setErrorBarsColor(ink);
     styler.setPlotGridLinesStroke(new BasicStroke(HAIR));

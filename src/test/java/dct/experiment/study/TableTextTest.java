@@ -44,7 +44,7 @@ class TableTextTest {
             \\centering
             \\caption{Shares in \\%. Read it \\& weep.}
             \\footnotesize
-            \\resizebox{\\ifdim\\width>\\textwidth\\textwidth\\else\\width\\fi}{!}{%
+            \\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%
             \\begin{tabular}{lr}
             \\toprule
             File & n \\\\

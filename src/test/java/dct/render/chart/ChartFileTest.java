@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.apache.pdfbox.Loader;
@@ -104,6 +105,20 @@ class ChartFileTest {
     assertThat(topOfGrid).isCloseTo(topOfBar, within(2));
   }
 
+  @Test
+  void bars_of_shares_stand_on_the_axis_however_long_the_error_bars_are() throws IOException {
+    assertThat(heightOfBar(60)).isEqualTo(heightOfBar(0)).isGreaterThan(100);
+  }
+
+  private int heightOfBar(double error) throws IOException {
+    Series bar = new Series("a", Look.BLUE, List.of(), List.of(40.0), List.of(error));
+    Chart share = new Chart("share", "Share", "shape", "%", true, List.of("one"), List.of(bar));
+    BufferedImage image = ImageIO.read(write(share, ".png").toFile());
+    int[] column = new int[image.getHeight()];
+    image.getRGB(300, 0, 1, column.length, column, 0, 1); // left of the error bar
+    return (int) IntStream.of(column).filter(rgb -> (rgb & 0xFFFFFF) == Look.BLUE.rgb()).count();
+  }
+
   private static int firstRow(BufferedImage image, int from, int to, IntPredicate wanted) {
     for (int y = 0; y < image.getHeight(); y++) {
       for (int x = from; x < to; x++) {
@@ -139,6 +154,8 @@ class ChartFileTest {
     byte[] bytes = Files.readAllBytes(write(LINES, ".pdf"));
     try (PDDocument document = Loader.loadPDF(bytes)) {
       assertThat(document.getNumberOfPages()).isOne();
+      double millimetres = document.getPage(0).getMediaBox().getWidth() * 25.4 / 72;
+      assertThat(millimetres).as("both columns of a paper").isCloseTo(174, within(0.1));
     }
     assertThat(Files.readAllBytes(write(LINES, ".pdf"))).isEqualTo(bytes);
   }
