@@ -51,8 +51,7 @@ public final class ChartFile {
               PAGE_WIDTH,
               PAGE_HEIGHT,
               POINTS,
-              graphics ->
-                  ChartPainter.paint(chart, graphics, PAGE_WIDTH, PAGE_HEIGHT, Theme.LIGHT),
+              graphics -> ChartPainter.paint(chart, graphics, PAGE_WIDTH, PAGE_HEIGHT, Theme.LIGHT),
               out);
       default -> throw new IllegalArgumentException(ending + " is no chart");
     }
