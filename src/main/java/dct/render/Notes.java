@@ -28,7 +28,13 @@ public record Notes(boolean legend, Corner counts, Corner coordinates, Corner ke
   private static final int COORDINATES = 24; // characters that room is kept for
   private static final int LINES_OF_FLIPS = 2; // before and after
   private static final double NEAR = 6; // pixels; dots reach so far
-  private static final double AROUND = 40; // pixels that are free before a note comes back
+
+  /**
+   * Pixels that are free before a note comes back; fitted with room for flips, a drawing leaves one
+   * more below one line of counts.
+   */
+  private static final double AROUND = 34;
+
   private static final double BACK = 12; // pixels that are free before one is no longer away
 
   /** What is written in a corner. */

@@ -85,6 +85,15 @@ class NotesTest {
   }
 
   @Test
+  void inADrawingFittedWithRoomForFlipsAllNotesComeBackToTheirCorners() {
+    Scene square = delaunay(Points.ofPairs(0, 0, 986, 0, 986, 640, 0, 640, 500, 300));
+    Viewport fitted = THESIS.fittedForFlips(square, 1000, 700, false);
+    Notes moved =
+        new Notes(false, Corner.LOWER_RIGHT, Corner.UPPER_RIGHT, Corner.LOWER_LEFT, THESIS.away());
+    assertThat(moved.placed(square, fitted, SCREEN)).isEqualTo(THESIS);
+  }
+
+  @Test
   void amongManyVerticesTheWordsAreAside() {
     Scene crowd = delaunay(RandomSites.uniform(5000, 1)).prepared();
     Notes notes = placed(Notes.at(true), crowd);
