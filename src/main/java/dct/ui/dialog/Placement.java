@@ -68,13 +68,24 @@ public final class Placement {
       Rectangle bounds =
           new Rectangle(x.getAsInt(), y.getAsInt(), width.getAsInt(), height.getAsInt());
       if (isReachable(bounds, usable(window))) {
-        window.setBounds(bounds);
+        window.setBounds(noLarger(bounds, usable(window)));
         setPlaced(window);
       }
     }
     if (settings.isOn("window.maximized")) {
       window.setExtendedState(Frame.MAXIMIZED_BOTH);
     }
+  }
+
+  /** These bounds, made smaller where the screen is: it may have been a larger one before. */
+  static Rectangle noLarger(Rectangle window, Rectangle screen) {
+    boolean wide = window.width > screen.width;
+    boolean high = window.height > screen.height;
+    return new Rectangle(
+        wide ? screen.x : window.x,
+        high ? screen.y : window.y,
+        wide ? screen.width : window.width,
+        high ? screen.height : window.height);
   }
 
   /** Whether enough of a window is on the screen to use it and move it. */

@@ -31,6 +31,15 @@ class PlacementTest {
   }
 
   @Test
+  void aWindowOfALargerScreenIsNoLargerThanThisOne() {
+    assertThat(Placement.noLarger(new Rectangle(58, 66, 1278, 810), SCREEN)).isEqualTo(SCREEN);
+    assertThat(Placement.noLarger(new Rectangle(58, 66, 1278, 500), SCREEN))
+        .isEqualTo(new Rectangle(0, 66, 1024, 500));
+    Rectangle fits = new Rectangle(700, 66, 600, 500);
+    assertThat(Placement.noLarger(fits, SCREEN)).isEqualTo(fits);
+  }
+
+  @Test
   void aNewWindowIsAStepLowerAndFurtherRight() {
     assertThat(Placement.below(new Rectangle(100, 100, 600, 400), SCREEN))
         .isEqualTo(new Rectangle(136, 136, 600, 400));
