@@ -75,6 +75,24 @@ class FilesWindowTest extends WindowTest {
   }
 
   @Test
+  void saveAsWritesNoFileThatItsEndingDoesNotSay() {
+    drawTriangle();
+    menu("Save As");
+    typeName(folder.resolve("mine.off").toString());
+    JOptionPaneFixture sorry = dialog();
+    assertThat(message(sorry)).contains("Export Data writes .off");
+    answer(sorry, "OK");
+    typeName(folder.resolve("mine.PNG").toString());
+    sorry = dialog();
+    assertThat(message(sorry)).contains("Export Picture writes .png");
+    answer(sorry, "OK");
+    typeName(folder.resolve("mine.json").toString());
+    settle();
+    assertThat(folder).isDirectoryContaining("glob:**mine.json");
+    assertThat(folder).isDirectoryNotContaining("glob:**mine.{off,PNG}");
+  }
+
+  @Test
   void openSwitchesToTheApplicationOfTheFile() throws Exception {
     Path sites = folder.resolve("a_pointbased.txt");
     PointFile.write(sites, Domain.SITES, TRIANGLE, Progress.NONE);

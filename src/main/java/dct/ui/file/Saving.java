@@ -2,6 +2,7 @@ package dct.ui.file;
 
 import dct.core.triangulate.Domain;
 import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
 import dct.io.FileNames;
 import dct.io.FileStamp;
 import dct.problem.Instance;
@@ -22,6 +23,8 @@ import javax.swing.SwingUtilities;
 
 /** Writes documents to files that they have or that the user names, in the background. */
 public final class Saving {
+  private static final String SAVE_AS = "Save As";
+
   private final Jobs jobs;
   private final RecentFiles recent;
   private Optional<Path> folder = Optional.empty(); // used last
@@ -87,8 +90,29 @@ public final class Saving {
         .ifPresent(file -> replace(by, editor, file, then));
   }
 
+  /** Asks until the name has no ending that promises a file of another kind. */
   private static Optional<Path> ask(Asked by, Path suggested) {
-    return Chooser.DOCUMENTS.save(by.parent, suggested, "Save As");
+    Optional<Path> typed = Chooser.DOCUMENTS.save(by.parent, suggested, SAVE_AS);
+    Optional<FileEnding> other = typed.flatMap(Saving::otherKind);
+    if (other.isEmpty()) {
+      return typed;
+    }
+    String exported = other.get().holds(Content.PICTURE) ? "Export Picture" : "Export Data";
+    Ask.sorry(
+        by.parent,
+        SAVE_AS,
+        "Save As writes files that end in .txt or .json. File ▸ "
+            + exported
+            + " writes "
+            + other.get().dotted()
+            + ".");
+    return ask(by, FileEnding.JSON.insteadOf(typed.get()));
+  }
+
+  /** The ending of a name if files of it are exported, not saved. */
+  private static Optional<FileEnding> otherKind(Path typed) {
+    return FileEnding.of(typed, Content.POINTS, Content.TRIANGULATION, Content.PICTURE)
+        .filter(ending -> ending != FileEnding.TXT && !FileEnding.JSON.isOf(ending.dotted()));
   }
 
   /** Where nothing else was typed, the ending is one of a file that keeps everything. */
