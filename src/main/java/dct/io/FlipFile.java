@@ -129,15 +129,13 @@ public final class FlipFile {
    */
   public String refusal(FlipList.Applied applied) {
     int done = applied.result().flips();
+    String before = ", or keep the " + done + (done == 1 ? " flip" : " flips") + " before";
     return new BadInputException(
             name,
             lines[done],
             applied.cause().orElseThrow()
-                + " here; apply the flips to the triangulation that they were made for, or keep the"
-                + " "
-                + done
-                + (done == 1 ? " flip" : " flips")
-                + " before")
+                + " here; apply the flips to the triangulation that they were made for"
+                + (done == 0 ? "" : before))
         .getMessage();
   }
 

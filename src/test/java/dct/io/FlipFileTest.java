@@ -78,6 +78,15 @@ class FlipFileTest {
   }
 
   @Test
+  void where_not_even_the_first_flip_is_possible_none_is_offered_to_be_kept() throws IOException {
+    Triangulation square = delaunay(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 3));
+    FlipFile file = read("v0 v2 -> v1 v3\n", 4);
+    assertThat(file.refusal(file.list().applyTo(square, Progress.NONE)))
+        .startsWith("flips.txt:1: ")
+        .endsWith("apply the flips to the triangulation that they were made for");
+  }
+
+  @Test
   void the_first_impossible_flip_is_named_with_its_line() throws IOException {
     Triangulation square = delaunay(Points.ofPairs(0, 0, 4, 0, 4, 4, 0, 3));
     FlipFile file = read("v1 v3 -> v0 v2\n\nv1 v3 -> v0 v2\n", 4);
