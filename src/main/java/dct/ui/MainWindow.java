@@ -99,7 +99,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient FlipCommands flips;
   private final transient Explainer explainer;
   private final transient BoundNote bound;
-  private final transient Map<Editor, Viewport> views = new HashMap<>(); // of what is not shown
+  private final transient Map<Editor, Left> views = new HashMap<>(); // of what is not shown
   private final transient Session session;
   private final transient List<Journal> journals;
   private final transient CrossingWork crossings;
@@ -306,16 +306,22 @@ public final class MainWindow extends JFrame implements CommandWindow {
     setTitle(title());
   }
 
+  /** How an application was left: what part was shown, and whether that was all of it. */
+  private record Left(Viewport viewport, boolean isAllInSight) {}
+
   /** Shows the other application where it was left. */
   private void showOther(Editor editor) {
     if (last != null) {
-      views.put(last, canvas.viewport());
+      views.put(last, new Left(canvas.viewport(), canvas.isAllInSight()));
     }
     last = editor;
     canvas.setScene(editor.shown().scene());
-    Viewport view = views.get(editor);
+    Left view = views.get(editor);
     if (view != null) {
-      canvas.setViewport(view);
+      canvas.setViewport(view.viewport);
+      if (view.isAllInSight && !canvas.isAllInSight()) {
+        canvas.fit(); // the canvas has become smaller meanwhile
+      }
     } else if (editor.document().size() > 0) {
       canvas.showWell();
     } else {

@@ -69,6 +69,20 @@ class ViewsWindowTest extends WindowTest {
   }
 
   @Test
+  void sitesThatWereAllInSightAreSoAgainThoughViewsHaveTakenRoomMeanwhile() {
+    choose("Point Sites Based");
+    check("Draw Vertex");
+    clickAt(60, 60, 900, 80, 500, 640);
+    draw();
+    perform("Results in This Window");
+    perform("Perform Flip");
+    await("the view", () -> views().size() == 1);
+    settle();
+    choose("Point Sites Based");
+    await("all in sight", () -> onEventThread(() -> canvas().isAllInSight()));
+  }
+
+  @Test
   void viewsAreArrangedAndMovedAndThatIsRemembered() {
     draw();
     perform("Results in This Window");
