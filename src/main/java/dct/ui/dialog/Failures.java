@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** Says in one sentence why a job failed. */
 public final class Failures {
@@ -19,9 +20,10 @@ public final class Failures {
    * What can be done about a polygon that is not simple.
    *
    * @param name what a button says
-   * @param action what it does about a defect
+   * @param suits whether it is of use against a defect
+   * @param action what it does about it
    */
-  public record Remedy(String name, Consumer<Defect> action) {}
+  public record Remedy(String name, Predicate<Defect> suits, Consumer<Defect> action) {}
 
   /**
    * Failures shown over a window.
@@ -57,9 +59,10 @@ public final class Failures {
     if (!hasPlace) {
       Ask.sorry(parent, what, "There is no polygon to triangulate: " + defect.message() + ".");
     } else {
-      String[] names = remedies.stream().map(Remedy::name).toArray(String[]::new);
+      List<Remedy> useful = remedies.stream().filter(r -> r.suits().test(defect)).toList();
+      String[] names = useful.stream().map(Remedy::name).toArray(String[]::new);
       Ask.offer(parent, what, sentence, names)
-          .ifPresent(chosen -> remedies.get(chosen).action().accept(defect));
+          .ifPresent(chosen -> useful.get(chosen).action().accept(defect));
     }
   }
 

@@ -34,6 +34,7 @@ public final class CrossingWork {
 
   private final Workbench workbench;
   private final CanvasPanel canvas;
+  private final TouchingWork touching;
   private Optional<Defect> last = Optional.empty(); // gone to
   private Points lastOf = Points.ofPairs(); // the polygon in which it was
 
@@ -41,15 +42,19 @@ public final class CrossingWork {
   public CrossingWork(Workbench workbench, CanvasPanel canvas) {
     this.workbench = workbench;
     this.canvas = canvas;
+    touching = new TouchingWork(workbench, canvas, this::useAsSites);
     canvas.addOverlay(this::markLast);
   }
 
   /** What can be done about a defect of the polygon. */
   public List<Remedy> remedies() {
     return List.of(
-        new Remedy("Show Me", this::goTo),
-        new Remedy(UNTANGLE, defect -> untangle()),
-        new Remedy(USE_AS_SITES, defect -> useAsSites()));
+        new Remedy("Show Me", defect -> true, this::goTo),
+        new Remedy(
+            UNTANGLE, defect -> defect.kind() != Defect.Kind.DUPLICATE, defect -> untangle()),
+        new Remedy(TouchingWork.SPLIT, TouchingWork::isRepeated, defect -> touching.split()),
+        new Remedy(TouchingWork.PART, TouchingWork::isTouch, defect -> touching.part()),
+        new Remedy(USE_AS_SITES, defect -> true, defect -> useAsSites()));
   }
 
   /** Offers the commands. */
@@ -68,6 +73,7 @@ public final class CrossingWork {
             "Exchanges edges that cross until the polygon is simple; its vertices stay",
             this::untangle)
         .enabledWhen(() -> !places().isEmpty());
+    touching.offer(commands, this::places);
     commands
         .add(
             USE_AS_SITES,
@@ -100,7 +106,14 @@ public final class CrossingWork {
     List<Defect> places = workbench.isDrawing() ? List.of() : places();
     return places.stream()
         .findFirst()
-        .map(first -> "Not simple: " + first.fact() + "; Edit ▸ " + GO + ", " + UNTANGLE);
+        .map(first -> "Not simple: " + first.fact() + "; Edit ▸ " + GO + ", " + mending(first));
+  }
+
+  private static String mending(Defect defect) {
+    if (TouchingWork.isRepeated(defect)) {
+      return TouchingWork.SPLIT + ", " + TouchingWork.PART;
+    }
+    return TouchingWork.isTouch(defect) ? TouchingWork.PART : UNTANGLE;
   }
 
   private void goToNext() {

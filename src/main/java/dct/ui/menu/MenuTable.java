@@ -127,6 +127,8 @@ public final class MenuTable {
               LINE,
               "Go to Crossing",
               "Untangle",
+              "Split Ring…",
+              "Part by a Hair",
               "Use as Sites",
               LINE,
               "Clear Canvas",
