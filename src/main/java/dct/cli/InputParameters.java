@@ -7,6 +7,7 @@ import dct.io.PointFile;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
 import dct.io.format.Shapes;
+import dct.io.format.Touch;
 import dct.io.text.BadInputException;
 import dct.io.text.Shown;
 import dct.problem.Instance;
@@ -27,10 +28,13 @@ final class InputParameters {
 
   private final Console console;
   private final PositionalParamSpec name;
+  private static final List<String> TOUCHES = List.of("split", "hair");
+
   private final OptionSpec as;
   private final OptionSpec pick;
   private final OptionSpec columns;
   private final OptionSpec skip;
+  private final OptionSpec touching;
 
   /** Declares them. */
   InputParameters(Verb verb) {
@@ -63,6 +67,13 @@ final class InputParameters {
     skip =
         verb.option(
             "--skip", "LINES", Integer.class, "How many lines at the front of a text to skip.");
+    touching =
+        verb.option(
+            "--touching",
+            "split|hair",
+            TOUCHES,
+            "What to make of a ring that meets itself: split it into rings, or move its vertices"
+                + " apart by a hair. By default it is read as it is.");
   }
 
   /** The name of the input as the user gave it. */
@@ -78,14 +89,25 @@ final class InputParameters {
   /** All shapes of the input. */
   Shapes shapes(Progress progress) throws IOException {
     return name().equals(Verb.STANDARD_STREAM)
-        ? PointFile.shapes(name(), console.in(), columns())
-        : PointFile.shapes(path(name()), columns(), progress);
+        ? touch().split(PointFile.shapes(name(), console.in(), columns()), progress)
+        : touch().split(PointFile.shapes(path(name()), columns(), progress), progress);
   }
 
   private Choice choice() {
     Integer number = pick.getValue();
     OptionalInt picked = number == null ? OptionalInt.empty() : OptionalInt.of(number);
-    return new Choice(asked(), Domain.POLYGON, picked, columns());
+    return new Choice(asked(), Domain.POLYGON, picked, columns(), touch());
+  }
+
+  private Touch touch() {
+    String typed = touching.getValue();
+    if (typed == null) {
+      return Touch.KEPT;
+    }
+    if (!TOUCHES.contains(typed)) {
+      throw UsageException.unknown("--touching", typed, TOUCHES);
+    }
+    return typed.equals("hair") ? Touch.PARTED : Touch.SPLIT;
   }
 
   private Columns columns() {

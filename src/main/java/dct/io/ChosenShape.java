@@ -45,7 +45,8 @@ final class ChosenShape {
    */
   static PointDocument of(
       String source, Shapes shapes, boolean yUp, Choice choice, Progress progress) {
-    return new ChosenShape(source, shapes, yUp, choice).document(progress);
+    Shapes apart = choice.touch().split(shapes, progress);
+    return new ChosenShape(source, apart, yUp, choice).document(progress);
   }
 
   private PointDocument document(Progress progress) {
@@ -58,7 +59,10 @@ final class ChosenShape {
         return whole.get();
       }
     }
-    return document(is == Domain.POLYGON ? withoutRepeated(shape) : shape, domain);
+    if (is == Domain.SITES) {
+      return document(shape, domain);
+    }
+    return document(choice.touch().part(withoutRepeated(shape), notes, progress), domain);
   }
 
   /** The document with its triangulation; nothing if that is none and the points are asked for. */

@@ -27,6 +27,7 @@ import java.util.Optional;
  * <p>The points are finite numbers, no more has been checked: {@link #instance} does that.
  */
 public final class PointDocument {
+  private static final String TOUCH_HINT = ", or give --touching split or --touching hair";
   private static final String SITES_HINT = ", or read the file as sites with --as points";
 
   private final String source;
@@ -173,9 +174,8 @@ public final class PointDocument {
     try {
       return Instance.of(domain, source, points, progress);
     } catch (InvalidGeometryException e) {
-      throw declared.isEmpty() && couldBeSites(progress)
-          ? bad(e.defect(), SITES_HINT)
-          : bad(e.defect(), "");
+      String sites = declared.isEmpty() && couldBeSites(progress) ? SITES_HINT : "";
+      throw bad(e.defect(), touchHint(e.defect()) + sites);
     }
   }
 
@@ -251,6 +251,13 @@ public final class PointDocument {
     } catch (InvalidGeometryException e) {
       return false;
     }
+  }
+
+  private static String touchHint(Defect defect) {
+    return switch (defect.kind()) {
+      case DUPLICATE, TOUCH -> TOUCH_HINT;
+      default -> "";
+    };
   }
 
   private BadInputException bad(Defect defect, String hint) {

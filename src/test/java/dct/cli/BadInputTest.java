@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Bad input on the command line: status 3, one line {@code FILE:LINE: cause; cure}. */
 class BadInputTest {
   private static final String FORM = "write one vertex a line, as two numbers x y";
+  private static final String TOUCHING = ", or give --touching split or --touching hair";
   private static final String HINT = ", or read the file as sites with --as points";
 
   @TempDir Path folder;
@@ -67,7 +68,7 @@ class BadInputTest {
         bad(
             "a vertex twice",
             "# head\n0 0\n4 0\n4 4\n4 0\n0 4\n",
-            "5: vertices v1 and v3 are both at (4, 0); remove one of them" + HINT),
+            "5: vertices v1 and v3 are both at (4, 0); remove one of them" + TOUCHING + HINT),
         bad(
             "on one line",
             "0 0\n1 1\n2 2\n5 5\n",
@@ -79,7 +80,7 @@ class BadInputTest {
         bad(
             "touching vertex",
             "0 0\n8 0\n8 8\n4 0\n0 8\n",
-            "4: vertex v3 touches edge v0–v1 at (4, 0); move it off the edge" + HINT),
+            "4: vertex v3 touches edge v0–v1 at (4, 0); move it off the edge" + TOUCHING + HINT),
         bad(
             "spike",
             "0 0\n4 0\n4 4\n4 9\n4 4.5\n0 4\n",

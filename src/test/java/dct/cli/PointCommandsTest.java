@@ -227,6 +227,25 @@ class PointCommandsTest {
   }
 
   @Test
+  void a_ring_that_meets_itself_is_split_or_parted_if_that_is_asked_for() {
+    String tied = "0 0\n300 0\n300 300\n0 300\n0 0\n100 100\n100 200\n200 200\n200 100\n100 100\n";
+    assertThat(CliRun.withInput(tied, "check", "-").err())
+        .contains("v0 and v4 are both at (0, 0)")
+        .contains("--touching");
+    CliRun parted = CliRun.withInput(tied, "check", "-", "--touching", "hair");
+    assertThat(parted.out()).contains("a simple polygon with 10 vertices");
+    assertThat(parted.err())
+        .isEqualTo("-: Vertices where the ring meets itself are moved a hair\n");
+    assertThat(CliRun.withInput(tied, "convert", "-", "--list", "--touching", "split").done().out())
+        .isEqualTo("1: 4 points\n2: 4 points\n");
+    CliRun hole = CliRun.withInput(tied, "check", "-", "--touching", "split", "--pick", "2");
+    assertThat(hole.out()).contains("4 vertices, clockwise");
+    assertThat(hole.err()).contains("A ring meets itself and is split into 2");
+    assertThat(CliRun.withInput(tied, "check", "-", "--touching", "cut").err())
+        .contains("--touching");
+  }
+
+  @Test
   void shapes_are_listed_picked_and_read_as_sites() {
     Path rings = Path.of("src/test/resources/cases/two_rings.txt");
     assertThat(CliRun.of("convert", rings, "--list").done().out())

@@ -76,7 +76,10 @@ class FigureTest {
     assertThatThrownBy(() -> new Figure.Size(Double.NaN, Figure.Unit.MM))
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(() -> new Figure.Size(3, Figure.Unit.PX))
-        .hasMessageStartingWith("3px is out of range");
+        .hasMessage("3px is out of range; take from 50px to 4000px");
+    assertThat(Figure.Size.parse("84 mm")).isEqualTo(Figure.Size.COLUMN);
+    assertThatThrownBy(() -> Figure.Size.parse("84"))
+        .hasMessage("84 is no width; write 84mm or 600px");
   }
 
   @Test

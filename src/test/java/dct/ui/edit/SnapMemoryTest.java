@@ -39,8 +39,9 @@ class SnapMemoryTest {
   }
 
   @Test
-  void whatCannotBeIsLeftOut() {
-    Settings settings = Session.in(folder).settings();
+  void whatCannotBeIsLeftOut() throws Exception {
+    Session session = Session.in(folder);
+    Settings settings = session.settings();
     settings.put("snap.grid.size", -3);
     settings.put("snap.angle.degrees", "many");
     settings.put("snap.grid", true);
@@ -48,5 +49,6 @@ class SnapMemoryTest {
     SnapMemory.restore(snap, settings);
     assertThat(snap.words()).isEqualTo("Snap: grid 20");
     assertThat(snap.angle()).isEqualTo(15);
+    session.journals().await(); // lest the folder be removed before
   }
 }
