@@ -189,8 +189,8 @@ public final class Touching {
     for (int v : met.keySet()) {
       int p = before(v);
       int q = after(v);
-      double in = Math.hypot(points.x(v) - points.x(p), points.y(v) - points.y(p));
-      double out = Math.hypot(points.x(q) - points.x(v), points.y(q) - points.y(v));
+      double in = length(points.x(v) - points.x(p), points.y(v) - points.y(p));
+      double out = length(points.x(q) - points.x(v), points.y(q) - points.y(v));
       double inX = (points.x(v) - points.x(p)) / in;
       double inY = (points.y(v) - points.y(p)) / in;
       double outX = (points.x(q) - points.x(v)) / out;
@@ -202,6 +202,12 @@ public final class Touching {
       y[v] += far * side * (inX + outX);
     }
     return Points.of(x, y);
+  }
+
+  /** Scaled, lest the squares overflow; of square roots every bit is laid down. */
+  private static double length(double x, double y) {
+    double scale = Math.max(Math.abs(x), Math.abs(y));
+    return scale * Math.sqrt(x / scale * (x / scale) + y / scale * (y / scale));
   }
 
   private int after(int v) {
