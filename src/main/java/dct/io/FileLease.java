@@ -25,10 +25,12 @@ public final class FileLease implements Closeable {
 
   private final Path file;
   private final FileChannel channel;
+  private final boolean stays;
 
-  private FileLease(Path file, FileChannel channel) {
+  private FileLease(Path file, FileChannel channel, boolean stays) {
     this.file = file;
     this.channel = channel;
+    this.stays = stays;
   }
 
   /**
@@ -38,13 +40,28 @@ public final class FileLease implements Closeable {
    * @throws IOException if the file can be neither opened nor made
    */
   public static Optional<FileLease> take(Path named) throws IOException {
+    return take(named, false);
+  }
+
+  /**
+   * Takes the lease of a file that stays when it is closed: where several programs take turns, each
+   * then locks the same file, not one that another has just removed.
+   *
+   * @return nothing if another process, or this one, holds it
+   * @throws IOException if the file can be neither opened nor made
+   */
+  public static Optional<FileLease> takeTurn(Path named) throws IOException {
+    return take(named, true);
+  }
+
+  private static Optional<FileLease> take(Path named, boolean stays) throws IOException {
     Path file = named.toAbsolutePath().normalize();
     if (!HELD.add(file)) {
       return Optional.empty();
     }
     Optional<FileLease> taken = Optional.empty();
     try {
-      taken = opened(file);
+      taken = opened(file, stays);
     } finally {
       if (taken.isEmpty()) {
         HELD.remove(file);
@@ -77,7 +94,7 @@ public final class FileLease implements Closeable {
     }
   }
 
-  private static Optional<FileLease> opened(Path file) throws IOException {
+  private static Optional<FileLease> opened(Path file, boolean stays) throws IOException {
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
       FileChannel channel =
           FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
@@ -86,7 +103,7 @@ public final class FileLease implements Closeable {
         return Optional.empty();
       }
       if (Files.exists(file)) {
-        return Optional.of(new FileLease(file, channel));
+        return Optional.of(new FileLease(file, channel, stays));
       }
       channel.close(); // the holder before has just ended and removed the file
     }
@@ -109,11 +126,13 @@ public final class FileLease implements Closeable {
     return channel;
   }
 
-  /** Removes the file if it is still there, and lets go. */
+  /** Removes the file if it is still there and not to stay, and lets go. */
   @Override
   public void close() throws IOException {
     try (channel) {
-      Files.deleteIfExists(file);
+      if (!stays) {
+        Files.deleteIfExists(file);
+      }
     } finally {
       HELD.remove(file);
     }

@@ -16,6 +16,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Properties;
 import java.util.TreeMap;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * Words and numbers under names, in a file that is written whole or not at all. What cannot be read
@@ -24,6 +25,9 @@ import java.util.TreeMap;
  * thread.
  */
 public final class Settings {
+  private static final long WAIT_NANOS = 2_000_000;
+  private static final int MOST_WAITS = 1000;
+
   private final Path file;
   private final Lane lane;
   private final Map<String, String> values;
@@ -94,8 +98,7 @@ public final class Settings {
   private void write(String name, Optional<String> value) {
     try {
       Files.createDirectories(file.getParent());
-      // Without the lease, another program's change may be lost; that is all.
-      Optional<FileLease> lease = FileLease.take(file.resolveSibling("settings.lock"));
+      Optional<FileLease> lease = lease();
       try {
         Map<String, String> latest = new TreeMap<>(read(file));
         latest.remove(name);
@@ -109,6 +112,20 @@ public final class Settings {
     } catch (IOException e) {
       // the next program begins without it
     }
+  }
+
+  /**
+   * The right to write, for which the lane waits while another program writes. Without it that
+   * one's change may be lost; that is all.
+   */
+  private Optional<FileLease> lease() throws IOException {
+    Path lock = file.resolveSibling("settings.lock");
+    Optional<FileLease> lease = FileLease.takeTurn(lock);
+    for (int i = 0; i < MOST_WAITS && lease.isEmpty(); i++) {
+      LockSupport.parkNanos(WAIT_NANOS);
+      lease = FileLease.takeTurn(lock);
+    }
+    return lease;
   }
 
   private void write(Map<String, String> latest) throws CannotWriteException {

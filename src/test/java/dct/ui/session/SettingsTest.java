@@ -53,6 +53,23 @@ class SettingsTest {
     assertThat(settings().number("other")).hasValue(2);
   }
 
+  @Test
+  void whatTwoProgramsChangeAtTheSameTimeIsKept() throws Exception {
+    Lane second = new Lane();
+    Settings one = settings();
+    Settings other = new Settings(file(), second);
+    for (int i = 0; i < 100; i++) {
+      one.put("one." + i, i);
+      other.put("other." + i, i);
+    }
+    lane.await();
+    second.await();
+    for (int i = 0; i < 100; i++) {
+      assertThat(settings().number("one." + i)).hasValue(i);
+      assertThat(settings().number("other." + i)).hasValue(i);
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"a=\\u12", "\0\0\0", "=\n=\n", "window.x=many\nwindow.y"})
   void contentThatIsNoneIsIgnored(String content) throws Exception {
