@@ -181,6 +181,9 @@ class GeometriesTest {
         "{\"coordinates\":[1,2]} | the type of a geometry is missing; write \"type\": \"Polygon\"",
         "{\"type\":\"Point\",\"coordinates\":[1]} | a point has one number only, at"
             + " coordinates[1]; write a point as [x, y]",
+        "[[0,0],[4,0],[],[4,4]] | a point has no numbers, at [3]; write a point as [x, y]",
+        "{\"type\":\"Polygon\",\"coordinates\":[[[],[0,0],[4,0],[4,4]]]} | a point has no numbers,"
+            + " at coordinates[0][2]; write a point as [x, y]",
         "[1,2,3,4] | the numbers stand in one list; write [[x, y], [x, y], …]",
         "[[1,2],[[3,4]]] | points and lists of points stand side by side, at [2]; part them",
         "[[1,2],[3,4]] x | this is not JSON as expected; correct it",

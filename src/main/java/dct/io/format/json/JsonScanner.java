@@ -185,7 +185,7 @@ final class JsonScanner {
     return next == JsonToken.NUMBER || next == JsonToken.STRING;
   }
 
-  /** Reads an array or an object with x and y; gives how deep it is nested. */
+  /** Reads an array or an object with x and y; gives how deep it is nested, 0 if it is empty. */
   private int array(Nested into) throws IOException {
     if (json.peek() == JsonToken.BEGIN_OBJECT) {
       object(into);
@@ -204,8 +204,16 @@ final class JsonScanner {
   private int elements(Nested into) throws IOException {
     int depth = 1;
     boolean isFirst = true;
+    boolean hasPoint = false;
+    boolean hasEmpty = false;
     while (json.hasNext()) {
-      int inner = array(into);
+      int found = array(into);
+      hasPoint |= found == 1;
+      hasEmpty |= found == 0;
+      if (hasPoint && hasEmpty) {
+        throw fault("a point has no numbers" + source.place() + "; " + PAIR);
+      }
+      int inner = Math.max(found, 1);
       if (!isFirst && inner != depth - 1) {
         throw fault(
             "points and lists of points stand side by side" + source.place() + "; part them");
@@ -220,7 +228,7 @@ final class JsonScanner {
     }
     json.endArray();
     into.depth = Math.max(into.depth, depth);
-    return depth;
+    return isFirst ? 0 : depth;
   }
 
   private void pair(Nested into) throws IOException {
