@@ -45,6 +45,7 @@ import dct.ui.result.Arrangement;
 import dct.ui.result.ResultView;
 import dct.ui.result.ViewArea;
 import dct.ui.session.Journal;
+import dct.ui.session.Journals;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import dct.ui.session.Settings;
@@ -144,11 +145,9 @@ public final class MainWindow extends JFrame implements CommandWindow {
   }
 
   private Journal journal(Domain domain) {
-    return session
-        .journals()
-        .of(
-            workbench.editor(domain),
-            e -> SwingUtilities.invokeLater(() -> say("Edits are not kept for a crash: " + e)));
+    Journals journals = session.journals();
+    return journals.of(
+        workbench.editor(domain), e -> SwingUtilities.invokeLater(() -> say(journals.sentence(e))));
   }
 
   private void offerCommands(WindowHost host) {

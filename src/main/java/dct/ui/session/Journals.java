@@ -1,5 +1,6 @@
 package dct.ui.session;
 
+import dct.io.CannotWriteException;
 import dct.io.FileLease;
 import dct.ui.document.Editor;
 import java.io.IOException;
@@ -31,6 +32,15 @@ public final class Journals {
    */
   public Journal of(Editor editor, Consumer<IOException> failed) {
     return Journal.of(editor, folder, lane, failed);
+  }
+
+  /** Says why a journal could not be written, and what to do. */
+  public String sentence(IOException e) {
+    return "Edits are not kept for a crash: "
+        + folder
+        + " cannot be written, "
+        + CannotWriteException.reason(e)
+        + "; save often, or mend that and edit on";
   }
 
   /** Waits until everything is on the disk that is to be kept. */

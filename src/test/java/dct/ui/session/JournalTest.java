@@ -265,6 +265,11 @@ class JournalTest {
     orphan.handOver();
     lane.await();
     assertThat(told).hasSize(1);
+    assertThat(new Journals(blocked, lane).sentence(told.get(0)))
+        .isEqualTo(
+            "Edits are not kept for a crash: "
+                + blocked
+                + " cannot be written, it is no folder; save often, or mend that and edit on");
     assertThat(copies.resolve("0.journal")).exists();
   }
 }
