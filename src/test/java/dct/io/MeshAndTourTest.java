@@ -82,6 +82,7 @@ class MeshAndTourTest {
   @Test
   void polygons_of_cgal_are_no_table() throws IOException {
     assertThat(read("3 0 0 4 0 4 5.5\n").declared()).contains(Domain.POLYGON);
+    assertThat(fault("3 0 0 4 0 4 5.5\n0\n")).startsWith("in:2: the count of the polygon is 0");
     assertThat(fault("3 0 0 4 0 4 5.5 0\n")).startsWith("in:1: these can be a count, 3 vertices");
     assertThat(fault("3 0 0 4 0 4 5.5\n2 0 0 4 0 4 5.5\n")).startsWith("in:1: of the 7 columns");
   }

@@ -95,6 +95,10 @@ public final class CgalFormat implements Format {
   private static int ring(Rows rows, int from, Shape.Kind kind, List<Shape> shapes) {
     int size = rows.count(from);
     int numbers = rows.words().size() - from - 1;
+    if (size < SMALLEST_RING) {
+      throw rows.fault(
+          "the count of the polygon is " + size + ", but it needs 3 vertices; correct the line");
+    }
     if (size > numbers / 2) {
       throw rows.fault(
           "this looks like a count of "
