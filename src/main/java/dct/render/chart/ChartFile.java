@@ -73,7 +73,7 @@ public final class ChartFile {
   }
 
   private static String svg(Chart chart) {
-    SvgGraphics graphics = new SvgGraphics(WIDTH, HEIGHT);
+    SvgGraphics graphics = new SvgGraphics(chart.title(), WIDTH, HEIGHT);
     paint(chart, graphics);
     return graphics.finish();
   }

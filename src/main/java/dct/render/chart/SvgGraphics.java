@@ -18,12 +18,14 @@ final class SvgGraphics extends ShapeGraphics {
   private Shape lastClip;
   private int clips;
 
-  /** A drawing of this size, in pixels. */
-  SvgGraphics(int width, int height) {
+  /** A drawing with a title and of this size, in pixels. */
+  SvgGraphics(String title, int width, int height) {
     out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"").append(width);
+    out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" role=\"img\"");
+    out.append(" width=\"").append(width);
     out.append("\" height=\"").append(height).append("\" viewBox=\"0 0 ").append(width);
-    out.append(' ').append(height).append("\">\n");
+    out.append(' ').append(height).append("\">\n<title>");
+    out.append(title.replace("&", "&amp;").replace("<", "&lt;")).append("</title>\n");
   }
 
   /** The whole document; nothing can be drawn after. */

@@ -139,6 +139,8 @@ class ChartFileTest {
               .newDocumentBuilder()
               .parse(new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
       assertThat(document.getElementsByTagName("path").getLength()).isPositive();
+      assertThat(document.getElementsByTagName("title").item(0).getTextContent())
+          .isEqualTo(chart.title());
       for (Series series : chart.series()) {
         assertThat(text.contains("#%06x".formatted(series.look().rgb())))
             .as("%s in %s", series.look(), chart.word())

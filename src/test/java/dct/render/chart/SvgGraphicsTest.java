@@ -11,7 +11,7 @@ import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
 
 class SvgGraphicsTest {
-  private final SvgGraphics graphics = new SvgGraphics(100, 50);
+  private final SvgGraphics graphics = new SvgGraphics("drawn", 100, 50);
 
   @Test
   void shapes_are_paths_in_device_space() {
