@@ -93,6 +93,24 @@ class FilesWindowTest extends WindowTest {
   }
 
   @Test
+  void thePanelOfTheFirstExportBeginsWhereTheDocumentIs() throws Exception {
+    Path sites = folder.resolve("a_pointbased.txt");
+    PointFile.write(sites, Domain.SITES, TRIANGLE, Progress.NONE);
+    onEventThread(
+        () -> {
+          window.open(sites);
+          return null;
+        });
+    settle();
+    menu("Export Picture");
+    JFileChooserFixture panel =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    assertThat(onEventThread(() -> panel.target().getCurrentDirectory().toPath().toRealPath()))
+        .isEqualTo(folder.toRealPath());
+    panel.cancel();
+  }
+
+  @Test
   void openSwitchesToTheApplicationOfTheFile() throws Exception {
     Path sites = folder.resolve("a_pointbased.txt");
     PointFile.write(sites, Domain.SITES, TRIANGLE, Progress.NONE);

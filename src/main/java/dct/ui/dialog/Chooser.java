@@ -15,7 +15,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 
 /**
  * The file panels. Each kind begins in the folder where it was last, in this run or one before,
- * unless told another.
+ * unless told another; one that was nowhere yet begins where documents were.
  */
 public enum Chooser {
   DOCUMENTS("Polygons and sites", "txt", "json"),
@@ -102,7 +102,7 @@ public enum Chooser {
   }
 
   private JFileChooser panel(Optional<Path> folder) {
-    Path begin = folder.or(this::last).orElse(Path.of(""));
+    Path begin = folder.or(this::last).or(DOCUMENTS::last).orElse(Path.of(""));
     JFileChooser chooser = new JFileChooser(begin.toAbsolutePath().toFile());
     chooser.setFileFilter(new FileNameExtensionFilter(filter, extensions.split(" ")));
     return chooser;
@@ -113,8 +113,14 @@ public enum Chooser {
       return Optional.empty();
     }
     Path file = chooser.getSelectedFile().toPath();
-    Memory.put(memory(), file.toAbsolutePath().getParent());
+    used(file);
     return Optional.of(file);
+  }
+
+  /** Says that a file of this kind is used, however it was named. */
+  public void used(Path file) {
+    Optional.ofNullable(file.toAbsolutePath().getParent())
+        .ifPresent(folder -> Memory.put(memory(), folder));
   }
 
   /** The name under which the folder is kept. */

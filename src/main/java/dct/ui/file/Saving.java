@@ -53,6 +53,7 @@ public final class Saving {
 
   /** Says that a file is used. */
   void used(Path file) {
+    Chooser.DOCUMENTS.used(file);
     folder = Optional.ofNullable(file.toAbsolutePath().getParent());
   }
 
