@@ -127,8 +127,11 @@ public final class Touching {
   private boolean addMet(Defect defect) {
     return switch (defect.kind()) {
       case TOUCH -> addMet(defect.first(), defect.second());
-      case OVERLAP ->
-          addOnEdge(defect.first(), defect.second()) | addOnEdge(defect.second(), defect.first());
+      case OVERLAP -> {
+        boolean first = addOnEdge(defect.first(), defect.second());
+        boolean second = addOnEdge(defect.second(), defect.first());
+        yield first || second;
+      }
       default -> false;
     };
   }
