@@ -109,7 +109,15 @@ class DamagedFilesTest {
   };
 
   /** A file and what it is called. */
-  private record Sample(String name, byte[] bytes) {}
+  private static final class Sample {
+    private final String name;
+    private final byte[] bytes;
+
+    Sample(String name, byte[] bytes) {
+      this.name = name;
+      this.bytes = bytes;
+    }
+  }
 
   private static List<Sample> samples() throws IOException {
     List<Sample> samples = new ArrayList<>();

@@ -21,9 +21,21 @@ class MeshAndTourTest {
       "NAME: a\nTYPE : TSP\nDIMENSION : 3\nNODE_COORD_SECTION\n1 0 0\n2 1e1 0\n3 5 5.5\nEOF\n";
 
   private static final String PLY =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-          + "element face 1\nproperty list uchar int vertex_index\nend_header\n"
-          + "0 0\n4 0\n4 4\n0 4\n4 3 2 1 0\n";
+      """
+      ply
+      format ascii 1.0
+      element vertex 4
+      property float x
+      property float y
+      element face 1
+      property list uchar int vertex_index
+      end_header
+      0 0
+      4 0
+      4 4
+      0 4
+      4 3 2 1 0
+      """;
   private static final String RBOX = "2 rbox 3 D2\n3\n0 0\n4 0\n4 5.5\n";
 
   private static PointDocument read(String text) throws IOException {
