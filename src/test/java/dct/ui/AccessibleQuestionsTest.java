@@ -106,6 +106,13 @@ class AccessibleQuestionsTest extends WindowTest {
   }
 
   @Test
+  void theRingsIntoWhichOneFallsApart() {
+    draw(Points.ofPairs(100, 100, 300, 100, 200, 200, 300, 300, 100, 300, 200, 200));
+    require("two rings in one", () -> perform("Split Ring…"));
+    require("triangulating it", () -> perform("Ear Clipping Triangulation"));
+  }
+
+  @Test
   void wishesThatCanBeSaved() {
     draw(TRIANGLE);
     onEventThread(

@@ -15,6 +15,7 @@ final class Heading extends JTextArea {
   Heading(String text, int width) {
     super(text);
     setName("heading");
+    getAccessibleContext().setAccessibleName("Heading");
     setEditable(false);
     setFocusable(false);
     setOpaque(false);
