@@ -229,6 +229,11 @@ public final class MainWindow extends JFrame implements CommandWindow {
           }
 
           @Override
+          public void windowClosed(WindowEvent e) {
+            changed.end(); // however it was closed: the system has few watches
+          }
+
+          @Override
           public void windowDeactivated(WindowEvent e) {
             remember();
           }
@@ -414,7 +419,6 @@ public final class MainWindow extends JFrame implements CommandWindow {
   void closeForGood() {
     remember();
     journals.forEach(Journal::end);
-    changed.end();
     results.dispose();
     studies.dispose();
     workbench.jobs().shutDown();
