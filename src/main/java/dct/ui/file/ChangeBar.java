@@ -38,8 +38,11 @@ final class ChangeBar extends JPanel {
     recolour();
   }
 
-  /** Shows a sentence and its answers. */
+  /** Shows a sentence and its answers; the buttons stay if it is the sentence that is there. */
   void show(String words, Iterable<Answer> answers) {
+    if (isVisible() && words.equals(sentence.getText())) {
+      return;
+    }
     sentence.setText(words);
     sentence.setToolTipText(words); // where it does not fit
     getAccessibleContext().setAccessibleName("File changed");
