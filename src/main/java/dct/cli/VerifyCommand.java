@@ -126,7 +126,7 @@ final class VerifyCommand extends Verb {
     text.append(", ").append(claims.whole("even").orElseThrow()).append(" even");
     text.append(", ").append(claims.whole("odd").orElseThrow()).append(" odd");
     for (Check check : verdict.checks()) {
-      text.append(check.detail().isEmpty() ? "" : "; " + check.detail());
+      text.append(check.detail().isEmpty() ? "" : "; " + check.what() + ": " + check.detail());
     }
     console().print(text.toString());
   }

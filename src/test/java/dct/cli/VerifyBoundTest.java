@@ -35,26 +35,32 @@ class VerifyBoundTest {
   @Test
   void aBoundOfSitesIsRecomputed() {
     assertThat(verified(result(TRIANGLE_AND_CENTRE, 4, "three hull sites")))
-        .contains("4 odd; lower bound 4 recomputed: 4 (degree sum)");
+        .contains("4 odd; the lower bound: 4 was recomputed (degree sum)");
   }
 
   @Test
   void theBoundaryCountIsRecomputed() {
     assertThat(verified(result(SITES + "0 0\n9 0\n9 8\n1 7\n", 2, "4 hull sites")))
-        .contains("lower bound 2 recomputed: 2 (4 hull sites, 3 does not divide 4)");
+        .contains("the lower bound: 2 was recomputed (4 hull sites, 3 does not divide 4)");
   }
 
   @Test
   void theExactOptimumOfAPolygonIsRecomputed() {
     assertThat(verified(result(FIVE_ON_A_LINE, 4, "exact table")))
-        .contains("lower bound 4 recomputed: 4 (exact table");
+        .contains("the lower bound: 4 was recomputed (exact table");
   }
 
   @Test
   void anOptimizedResultNeedNotBeDelaunay() {
     JsonObject result = result(TRIANGLE_AND_CENTRE, 4, "three hull sites");
     result.addProperty("post", "optimize");
-    assertThat(verified(result)).contains("lower bound 4 recomputed");
+    assertThat(verified(result)).contains("the lower bound: 4 was recomputed");
+  }
+
+  @Test
+  void aBoundThatIsLessThanWhatCanBeProvenIsTrue() {
+    assertThat(verified(result(TRIANGLE_AND_CENTRE, 2, "three hull sites")))
+        .contains("the lower bound: 2 was recomputed, and more: 4 (degree sum)");
   }
 
   @Test
@@ -103,6 +109,6 @@ class VerifyBoundTest {
     CliRun run =
         CliRun.withInput(result(sites.toString(), 4, "a longer search").toString(), "verify", "-");
     assertThat(run.status()).as(run.out() + run.err()).isEqualTo(5);
-    assertThat(run.out()).containsPattern("lower bound 4 was not recomputed, only [02] ");
+    assertThat(run.out()).containsPattern("the lower bound: 4 was not recomputed, only [02] ");
   }
 }

@@ -15,6 +15,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JTextArea;
+import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 
@@ -80,6 +81,31 @@ class ExplainWindowTest extends WindowTest {
                       && end.getMinY() > end.getHeight()
                       && end.getMaxY() <= heading.getHeight();
                 }));
+  }
+
+  @Test
+  void noFormulaIsBrokenWhereTheTextIsWrapped() {
+    draw("Point Sites Based");
+    perform(window, "Most Even Vertices");
+    perform(window, "Why?");
+    assertThat(text("why")).contains("3\u00a0×\u00a0black");
+    JTextArea area =
+        onEventThread(
+            () -> robot.finder().findByName(dialogs("why").get(0), "whyText", JTextArea.class));
+    int formula = area.getText().indexOf("3\u00a0×");
+    int end = area.getText().indexOf(":", formula);
+    for (int width = 240; width <= 460; width += 20) {
+      int wide = width;
+      assertThat(onEventThread(() -> isOnOneLine(area, wide, formula, end)))
+          .as("at a width of " + wide)
+          .isTrue();
+    }
+  }
+
+  private static boolean isOnOneLine(JTextArea area, int width, int from, int to)
+      throws BadLocationException {
+    area.setSize(width, area.getHeight());
+    return area.modelToView2D(from).getMinY() == area.modelToView2D(to).getMinY();
   }
 
   @Test

@@ -107,16 +107,24 @@ final class BoundClaim {
             + what
             + " are here");
     BoundCheck check = instance.check((int) bound, progress);
-    String best = check.recomputed().value() + " (" + check.recomputed().reason() + ")";
+    int value = check.recomputed().value();
+    String reason = " (" + check.recomputed().reason() + ")";
     return switch (check.verdict()) {
       case FALSE ->
           throw new FalseClaim(
-              "the field \"" + field + "\" says " + bound + ", but the optimum is " + best);
+              "the field \""
+                  + field
+                  + "\" says "
+                  + bound
+                  + ", but the optimum is "
+                  + value
+                  + reason);
       case OPEN ->
-          new Check(
-              WHAT, Outcome.OPEN, "lower bound " + bound + " was not recomputed, only " + best, 1);
-      case RECOMPUTED ->
-          new Check(WHAT, Outcome.TRUE, "lower bound " + bound + " recomputed: " + best, 1);
+          new Check(WHAT, Outcome.OPEN, bound + " was not recomputed, only " + value + reason, 1);
+      case RECOMPUTED -> {
+        String more = value > bound ? ", and more: " + value : "";
+        yield new Check(WHAT, Outcome.TRUE, bound + " was recomputed" + more + reason, 1);
+      }
     };
   }
 }

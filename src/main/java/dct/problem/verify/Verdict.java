@@ -23,7 +23,8 @@ public record Verdict(List<Check> checks) {
    * One check.
    *
    * @param what what was checked, for a person to read
-   * @param detail what was found, empty where there is nothing to add
+   * @param detail what was found, to be read behind {@code what} and a colon; empty where there is
+   *     nothing to add
    * @param line the line of the file that a false claim stands on, from 1 on
    */
   public record Check(String what, Outcome outcome, String detail, int line) {}

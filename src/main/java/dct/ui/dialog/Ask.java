@@ -19,7 +19,7 @@ public final class Ask {
     private static final long serialVersionUID = 1L;
 
     Pane(String message, int kind, int onEnter, Object... options) {
-      super(message, kind, DEFAULT_OPTION, null, options, options[onEnter]);
+      super(Formulas.unbroken(message), kind, DEFAULT_OPTION, null, options, options[onEnter]);
     }
 
     @Override

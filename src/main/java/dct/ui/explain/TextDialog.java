@@ -3,6 +3,7 @@ package dct.ui.explain;
 import dct.core.geometry.Box;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.EscapeKey;
+import dct.ui.dialog.Formulas;
 import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -44,7 +45,7 @@ final class TextDialog extends JDialog {
   TextDialog(Window owner, String title, String name, String heading, String text) {
     super(owner, title, ModalityType.MODELESS);
     setName(name);
-    JTextArea area = new JTextArea(text);
+    JTextArea area = new JTextArea(Formulas.unbroken(text));
     area.setName(name + "Text");
     area.getAccessibleContext().setAccessibleName(title + ": " + heading);
     area.setEditable(false);
@@ -55,7 +56,7 @@ final class TextDialog extends JDialog {
     JScrollPane scroll = new JScrollPane(area);
     scroll.setPreferredSize(SIZE);
     scroll.setBorder(BorderFactory.createEmptyBorder());
-    add(new Heading(heading, SIZE.width), BorderLayout.NORTH);
+    add(new Heading(Formulas.unbroken(heading), SIZE.width), BorderLayout.NORTH);
     add(scroll, BorderLayout.CENTER);
     add(buttons(), BorderLayout.SOUTH);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
