@@ -176,7 +176,7 @@ class TriangulatedFileTest {
         "1 2 0 | 0 0 0 | 8: its triangles are no triangulation of its sites: the corners of the"
             + " triangle are on one line",
         "5 4 0 | 5 5 0 | 11: the file ends after 4 of 5 faces",
-        "5 4 0 | 5 3 0 | 11: the file goes on behind its last face",
+        "5 4 0 | 5 3 0 | 11: the file goes on behind the last line that its counts announce",
         "3 3 0 4 | 3 3 0 5 | 11: there is no vertex 5",
         "1 2 0 | 1 NaN 0 | 7: \"NaN\" is not a finite number",
         "1 2 0 | 1 1e999 0 | 7: \"1e999\" is not a finite number"

@@ -1,20 +1,26 @@
 package dct.io.format;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
-/** The edges at the rim of a triangulation, and the ring that they make. Linear. */
+/**
+ * Edges between numbered vertices, as those at the rim of a triangulation, and the rings that they
+ * make where a vertex has two of them. Linear.
+ */
 public final class Rim {
   private static final int NONE = -1;
 
   private final int[] one; // a neighbour of each vertex along the rim
   private final int[] other; // its other neighbour
+  private final boolean[] branches; // vertices with more than two
   private int edges;
-  private boolean branches; // a vertex has more than two
 
   /** A rim without edges among so many vertices. */
   public Rim(int vertices) {
     one = new int[vertices];
     other = new int[vertices];
+    branches = new boolean[vertices];
     Arrays.fill(one, NONE);
     Arrays.fill(other, NONE);
   }
@@ -32,28 +38,46 @@ public final class Rim {
     } else if (other[u] == NONE) {
       other[u] = v;
     } else {
-      branches = true;
+      branches[u] = true;
     }
+  }
+
+  /** How many edges there are. */
+  public int edges() {
+    return edges;
+  }
+
+  /** How many vertices there are. */
+  public int vertices() {
+    return one.length;
   }
 
   /** All vertices in order, from v0 on, if the edges are one ring through them; otherwise empty. */
   public int[] ring() {
-    int n = one.length;
-    if (branches || edges != n || n == 0) {
-      return new int[0];
-    }
-    int[] ring = new int[n];
-    int before = other[0];
-    int v = 0;
-    for (int i = 0; i < n; i++) {
-      if (i > 0 && v == 0) {
-        return new int[0]; // there are several rings
+    List<int[]> rings = edges == one.length ? rings() : List.of();
+    return rings.size() == 1 && rings.get(0).length == one.length ? rings.get(0) : new int[0];
+  }
+
+  /** The rings of three vertices and more, in the order of their first vertices. */
+  public List<int[]> rings() {
+    List<int[]> rings = new ArrayList<>();
+    boolean[] seen = new boolean[one.length];
+    int[] walk = new int[one.length];
+    for (int start = 0; start < one.length; start++) {
+      int size = 0;
+      int before = NONE;
+      int v = start;
+      while (!seen[v] && !branches[v] && other[v] != NONE) {
+        seen[v] = true;
+        walk[size++] = v;
+        int next = one[v] == before ? other[v] : one[v];
+        before = v;
+        v = next;
       }
-      ring[i] = v;
-      int next = one[v] == before ? other[v] : one[v];
-      before = v;
-      v = next;
+      if (v == start && size > 2) {
+        rings.add(Arrays.copyOf(walk, size));
+      }
     }
-    return ring;
+    return rings;
   }
 }

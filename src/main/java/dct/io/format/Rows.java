@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -31,9 +32,12 @@ public final class Rows {
     return head.text().lines().map(Rows::withoutComment).filter(line -> !line.isEmpty());
   }
 
-  /** Whether the first of these lines matches a pattern as a whole. */
-  public static boolean startsWith(Head head, Pattern pattern) {
-    return of(head).findFirst().filter(line -> pattern.matcher(line).matches()).isPresent();
+  /** Whether the first of these lines match these patterns, each as a whole. */
+  public static boolean startsWith(Head head, Pattern... patterns) {
+    List<String> rows = of(head).limit(patterns.length).toList();
+    return rows.size() == patterns.length
+        && IntStream.range(0, patterns.length)
+            .allMatch(i -> patterns[i].matcher(rows.get(i)).matches());
   }
 
   private static String withoutComment(String line) {
@@ -73,6 +77,33 @@ public final class Rows {
               + " "
               + things
               + "; correct the count, or fetch the file again if it was cut off");
+    }
+  }
+
+  /**
+   * Goes to each of so many rows, behind which the file ends.
+   *
+   * @param thing what each of them is, as {@code triangle}
+   * @param action what to do at each
+   * @throws BadInputException if there are fewer or more
+   */
+  public void rest(int count, String thing, Runnable action) throws IOException {
+    for (int i = 0; i < count; i++) {
+      next(i, count, thing + "s");
+      action.run();
+    }
+    end("its last " + thing, "count");
+  }
+
+  /**
+   * Sees that there is no further row.
+   *
+   * @param last what the present row is, as {@code its last triangle}
+   * @param wrong what is to be corrected otherwise
+   */
+  public void end(String last, String wrong) throws IOException {
+    if (next()) {
+      throw fault("the file goes on behind " + last + "; correct the " + wrong);
     }
   }
 

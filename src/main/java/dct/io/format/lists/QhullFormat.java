@@ -8,7 +8,6 @@ import dct.io.format.Rows;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import java.io.IOException;
-import java.util.List;
 import java.util.regex.Pattern;
 
 /**
@@ -18,6 +17,7 @@ import java.util.regex.Pattern;
 public final class QhullFormat implements Format {
   private static final Pattern FIRST = Pattern.compile("[0-9]+(\\s+[A-Za-z].*)?");
   private static final Pattern SECOND = Pattern.compile("[0-9]+");
+  private static final Pattern POINT = Pattern.compile("[^ \t]+[ \t].*");
   private static final int PLANE = 2;
 
   @Override
@@ -27,11 +27,8 @@ public final class QhullFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    List<String> rows = Rows.of(head).limit(3).toList();
-    return rows.size() > 1
-        && FIRST.matcher(rows.get(0)).matches()
-        && SECOND.matcher(rows.get(1)).matches()
-        && (rows.size() == 2 || rows.get(2).indexOf(' ') > 0 || rows.get(2).indexOf('\t') > 0);
+    return Rows.startsWith(head, FIRST, SECOND, POINT)
+        || (Rows.startsWith(head, FIRST, SECOND) && Rows.of(head).limit(3).count() == 2);
   }
 
   @Override
@@ -50,17 +47,16 @@ public final class QhullFormat implements Format {
               + " coordinates; write points of the plane, behind the dimension 2");
     }
     PointColumns points = new PointColumns();
-    while (points.size() < count) {
-      rows.next(points.size(), count, "points");
-      if (rows.words().size() != PLANE) {
-        throw rows.fault(
-            "there are " + rows.words().size() + " numbers, not 2; write one point a line");
-      }
-      points.add(rows.number(0), rows.number(1), rows.line());
-    }
-    if (rows.next()) {
-      throw rows.fault("the file goes on behind its last point; correct the count");
-    }
+    rows.rest(
+        count,
+        "point",
+        () -> {
+          if (rows.words().size() != PLANE) {
+            throw rows.fault(
+                "there are " + rows.words().size() + " numbers, not 2; write one point a line");
+          }
+          points.add(rows.number(0), rows.number(1), rows.line());
+        });
     return Shapes.of(title(), Shape.of(Shape.Kind.SITES, "", points));
   }
 }

@@ -20,9 +20,10 @@ import java.util.regex.Pattern;
  * beside them in a file of the same name that ends in {@code .node} or {@code .poly}.
  */
 public final class EdgeFormat implements Format {
-  private static final Pattern COUNTS = Pattern.compile("0*[1-9][0-9]*\\s+[01]");
-  private static final Pattern PLAIN = Pattern.compile("[01]\\s+[0-9]+\\s+[0-9]+");
-  private static final Pattern MARKED = Pattern.compile("[01]\\s+[0-9]+\\s+[0-9]+\\s+-?[0-9]+");
+  private static final Pattern UNMARKED = Pattern.compile("0*[1-9][0-9]*\\s+0");
+  private static final Pattern EDGE = Pattern.compile("[01]\\s+[0-9]+\\s+[0-9]+");
+  private static final Pattern MARKED = Pattern.compile("0*[1-9][0-9]*\\s+1");
+  private static final Pattern MARKED_EDGE = Pattern.compile(EDGE + "\\s+-?[0-9]+");
   private static final String CURE = "correct the edge";
 
   @Override
@@ -32,10 +33,7 @@ public final class EdgeFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    List<String> rows = Rows.of(head).limit(2).toList();
-    return rows.size() == 2
-        && COUNTS.matcher(rows.get(0)).matches()
-        && (rows.get(0).endsWith("1") ? MARKED : PLAIN).matcher(rows.get(1)).matches();
+    return Rows.startsWith(head, UNMARKED, EDGE) || Rows.startsWith(head, MARKED, MARKED_EDGE);
   }
 
   @Override
@@ -48,18 +46,17 @@ public final class EdgeFormat implements Format {
     NodeList nodes = NodeFile.read(input, "edges", rows, notes);
     ClaimedEdges edges = new ClaimedEdges();
     Rim rim = new Rim(nodes.points().size());
-    for (int e = 0; e < count; e++) {
-      rows.next(e, count, "edges");
-      int u = nodes.vertex(rows, 1, CURE);
-      int v = nodes.vertex(rows, 2, CURE);
-      edges.add(u, v, EdgeKind.DIAGONAL, rows.line());
-      if (marked && rows.whole(3) != 0) {
-        rim.add(u, v);
-      }
-    }
-    if (rows.next()) {
-      throw rows.fault("the file goes on behind its last edge; correct the count");
-    }
+    rows.rest(
+        count,
+        "edge",
+        () -> {
+          int u = nodes.vertex(rows, 1, CURE);
+          int v = nodes.vertex(rows, 2, CURE);
+          edges.add(u, v, EdgeKind.DIAGONAL, rows.line());
+          if (marked && rows.whole(3) != 0) {
+            rim.add(u, v);
+          }
+        });
     StoredFaces faces = StoredFaces.of(edges, rim);
     return new Shapes(title(), List.of(Triangulated.shape("", nodes.points(), faces)), notes);
   }

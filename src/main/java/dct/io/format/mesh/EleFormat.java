@@ -28,10 +28,7 @@ public final class EleFormat implements Format {
 
   @Override
   public boolean fits(Head head) {
-    List<String> rows = Rows.of(head).limit(2).toList();
-    return rows.size() == 2
-        && COUNTS.matcher(rows.get(0)).matches()
-        && TRIANGLE.matcher(rows.get(1)).matches();
+    return Rows.startsWith(head, COUNTS, TRIANGLE);
   }
 
   @Override
@@ -48,17 +45,15 @@ public final class EleFormat implements Format {
     }
     NodeList nodes = NodeFile.read(input, "triangles", rows, notes);
     TriangleList triangles = new TriangleList();
-    for (int t = 0; t < count; t++) {
-      rows.next(t, count, "triangles");
-      triangles.add(
-          nodes.vertex(rows, 1, CURE),
-          nodes.vertex(rows, 2, CURE),
-          nodes.vertex(rows, 3, CURE),
-          rows.line());
-    }
-    if (rows.next()) {
-      throw rows.fault("the file goes on behind its last triangle; correct the count");
-    }
+    rows.rest(
+        count,
+        "triangle",
+        () ->
+            triangles.add(
+                nodes.vertex(rows, 1, CURE),
+                nodes.vertex(rows, 2, CURE),
+                nodes.vertex(rows, 3, CURE),
+                rows.line()));
     return new Shapes(title(), List.of(Triangulated.shape("", nodes.points(), triangles)), notes);
   }
 }

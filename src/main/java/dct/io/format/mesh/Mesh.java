@@ -7,6 +7,7 @@ import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.format.TriangleList;
 import dct.io.format.Triangulated;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -76,8 +77,17 @@ final class Mesh {
     notes.add(note);
   }
 
-  /** What there is, all lists of vertices checked to be in range. */
-  Shapes shapes(String title) {
+  /**
+   * What there is, all lists of vertices checked to be in range.
+   *
+   * @param rows the rows of the file, at the last that was to be read
+   * @throws dct.io.text.BadInputException if it goes on, or has no vertex
+   */
+  Shapes shapes(String title, Rows rows) throws IOException {
+    rows.end("the last line that its counts announce", "counts");
+    if (size() == 0) {
+      throw rows.fault("there is no vertex in the file; choose another");
+    }
     if (isUneven) {
       notes.add("z differs from vertex to vertex and is left out");
     }

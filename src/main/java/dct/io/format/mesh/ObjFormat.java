@@ -43,16 +43,13 @@ public final class ObjFormat implements Format {
         default -> unknown += KNOWN.contains(keyword) ? 0 : 1;
       }
     }
-    if (mesh.size() == 0) {
-      throw rows.fault("there is no vertex in the file; choose another");
-    }
     if (unknown > 0) {
       mesh.note(
           unknown == 1
               ? "1 line that is no v, f or l is left out"
               : unknown + " lines that are no v, f or l are left out");
     }
-    return mesh.shapes(title());
+    return mesh.shapes(title(), rows);
   }
 
   private static int[] corners(Rows rows, int vertices, int least) {

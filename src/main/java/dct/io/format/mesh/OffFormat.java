@@ -42,9 +42,6 @@ public final class OffFormat implements Format {
     }
     int vertices = rows.count(word);
     int faces = rows.count(word + 1);
-    if (vertices == 0) {
-      throw rows.fault("there is no vertex in the file; choose another");
-    }
     Mesh mesh = new Mesh();
     while (mesh.size() < vertices) {
       rows.next(mesh.size(), vertices, "vertices");
@@ -58,13 +55,10 @@ public final class OffFormat implements Format {
       rows.next(f, faces, "faces");
       mesh.face(face(rows, vertices), rows.line());
     }
-    if (rows.next()) {
-      throw rows.fault("the file goes on behind its last face; correct the counts");
-    }
     if (!header.matches("4?n?OFF")) {
       mesh.note("What " + header + " holds behind the coordinates is left out");
     }
-    return mesh.shapes(title());
+    return mesh.shapes(title(), rows);
   }
 
   /** The place of the next number, in this row or at the start of the next one. */
@@ -100,9 +94,9 @@ public final class OffFormat implements Format {
         throw rows.fault(
             "there is no vertex "
                 + corners[i]
-                + ", they are numbered from 0 to "
-                + (vertices - 1)
-                + "; correct the face");
+                + ", there are "
+                + vertices
+                + ", numbered from 0 on; correct the face");
       }
     }
     return corners;

@@ -53,13 +53,7 @@ public final class PlyFormat implements Format {
         }
       }
     }
-    if (rows.next()) {
-      throw rows.fault("the file goes on behind its last element; correct the counts");
-    }
-    if (mesh.size() == 0) {
-      throw rows.fault("there is no vertex in the file; choose another");
-    }
-    return mesh.shapes(title());
+    return mesh.shapes(title(), rows);
   }
 
   private static List<Element> header(Rows rows) throws IOException {

@@ -4,6 +4,7 @@ import dct.io.format.Format;
 import dct.io.format.Head;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
+import dct.io.format.Rim;
 import dct.io.format.Rows;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
@@ -51,10 +52,10 @@ public final class TriangleFormat implements Format {
       return List.of(sites);
     }
     int segments = rows.count(0);
-    Chains chains = new Chains(points.size());
+    Rim rim = new Rim(points.size());
     for (int s = 0; s < segments; s++) {
       rows.next(s, segments, "segments");
-      chains.add(nodes.vertex(rows, 1, CURE), nodes.vertex(rows, 2, CURE));
+      rim.add(nodes.vertex(rows, 1, CURE), nodes.vertex(rows, 2, CURE));
     }
     PointColumns holes = new PointColumns();
     int count = rows.next() ? rows.count(0) : 0;
@@ -62,6 +63,7 @@ public final class TriangleFormat implements Format {
       rows.next(h, count, "points of holes");
       holes.add(rows.number(1), rows.number(2), rows.line());
     }
+    Chains chains = new Chains(rim);
     List<Shape> rings = chains.rings(points.points(), points.lines(), holes.points());
     int apart = chains.verticesApart();
     if (apart > 0) {
