@@ -4,8 +4,14 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 
-/** The files that were opened or saved last, the latest first. */
+/**
+ * The files that were opened or saved last, the latest first; of several programs at a time, the
+ * files of all of them are kept.
+ */
 public final class RecentFiles {
   /** How many are remembered. */
   public static final int MOST = 10;
@@ -21,9 +27,13 @@ public final class RecentFiles {
 
   /** The files, whether they are still there or not. */
   public List<Path> list() {
+    return list(settings::get);
+  }
+
+  private static List<Path> list(Function<String, Optional<String>> values) {
     List<Path> files = new ArrayList<>();
     for (int i = 0; i < MOST; i++) {
-      settings.get(NAME + i).ifPresent(name -> add(files, name));
+      values.apply(NAME + i).ifPresent(name -> add(files, name));
     }
     return files;
   }
@@ -39,23 +49,27 @@ public final class RecentFiles {
   /** Puts a file first. */
   public void add(Path file) {
     Path whole = file.toAbsolutePath().normalize();
-    List<Path> files = list();
-    files.remove(whole);
-    files.add(0, whole);
-    set(files);
+    settings.change(values -> putFirst(whole, values));
+  }
+
+  private static void putFirst(Path file, Map<String, String> values) {
+    List<Path> files = list(name -> Optional.ofNullable(values.get(name)));
+    files.remove(file);
+    files.add(0, file);
+    set(files, values);
   }
 
   /** Forgets all. */
   public void clear() {
-    set(List.of());
+    settings.change(values -> set(List.of(), values));
   }
 
-  private void set(List<Path> files) {
+  private static void set(List<Path> files, Map<String, String> values) {
     for (int i = 0; i < MOST; i++) {
       if (i < files.size()) {
-        settings.put(NAME + i, files.get(i));
+        values.put(NAME + i, files.get(i).toString());
       } else {
-        settings.remove(NAME + i);
+        values.remove(NAME + i);
       }
     }
   }

@@ -17,6 +17,7 @@ import java.util.OptionalInt;
 import java.util.Properties;
 import java.util.TreeMap;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 
 /**
  * Words and numbers under names, in a file that is written whole or not at all. What cannot be read
@@ -83,26 +84,34 @@ public final class Settings {
   /** Sets something; it is in the file soon after. */
   public void put(String name, Object value) {
     String text = value.toString();
-    if (!text.equals(values.put(name, text))) {
-      lane.execute(() -> write(name, Optional.of(text)));
+    if (!text.equals(values.get(name))) {
+      change(all -> all.put(name, text));
     }
   }
 
   /** Forgets what is set under this name. */
   public void remove(String name) {
-    if (values.remove(name) != null) {
-      lane.execute(() -> write(name, Optional.empty()));
+    if (values.containsKey(name)) {
+      change(all -> all.remove(name));
     }
   }
 
-  private void write(String name, Optional<String> value) {
+  /**
+   * Changes values that belong together: those that are set here, and soon after those in the file,
+   * which another program may have changed meanwhile.
+   */
+  void change(Consumer<Map<String, String>> change) {
+    change.accept(values);
+    lane.execute(() -> write(change));
+  }
+
+  private void write(Consumer<Map<String, String>> change) {
     try {
       Files.createDirectories(file.getParent());
       Optional<FileLease> lease = lease();
       try {
         Map<String, String> latest = new TreeMap<>(read(file));
-        latest.remove(name);
-        value.ifPresent(text -> latest.put(name, text));
+        change.accept(latest);
         write(latest);
       } finally {
         if (lease.isPresent()) {

@@ -92,6 +92,21 @@ class SettingsTest {
   }
 
   @Test
+  void theFilesOfTwoProgramsAreAllRemembered() throws Exception {
+    RecentFiles one = new RecentFiles(settings());
+    RecentFiles other = new RecentFiles(settings());
+    one.add(folder.resolve("a.txt"));
+    one.add(folder.resolve("b.txt"));
+    lane.await();
+    other.add(folder.resolve("c.txt"));
+    lane.await();
+    one.add(folder.resolve("a.txt"));
+    lane.await();
+    assertThat(new RecentFiles(settings()).list())
+        .containsExactly(folder.resolve("a.txt"), folder.resolve("c.txt"), folder.resolve("b.txt"));
+  }
+
+  @Test
   void theLatestTenFilesAreRememberedOnce() throws Exception {
     RecentFiles recent = new RecentFiles(settings());
     for (int i = 0; i < 12; i++) {
