@@ -157,7 +157,8 @@ public final class LargeTable {
     session.journals().await();
     Files.copy(journal(), copies.resolve("a.journal"));
     long begin = System.nanoTime();
-    int sites = Session.in(state.resolve("copy")).journals().orphans().get(0).document().size();
+    int sites =
+        Session.in(state.resolve("copy")).journals().orphans(unread -> {}).get(0).document().size();
     System.out.printf(
         Locale.ROOT,
         "recovery of %,d sites from %,d bytes: %.0f ms%n",

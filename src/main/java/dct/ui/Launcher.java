@@ -5,6 +5,7 @@ import dct.ui.menu.Look;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.SwingUtilities;
 
@@ -41,7 +42,8 @@ public final class Launcher {
   }
 
   private static void recover(Session session, Windows windows) {
-    List<Orphan> orphans = session.journals().orphans();
-    SwingUtilities.invokeLater(() -> windows.offer(orphans));
+    List<String> unread = new ArrayList<>();
+    List<Orphan> orphans = session.journals().orphans(unread::add);
+    SwingUtilities.invokeLater(() -> windows.offer(orphans, unread));
   }
 }

@@ -285,7 +285,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
     status.setHint(hint, workbench.active().map(Editor::document).orElse(null));
   }
 
-  private void say(String message) {
+  /** Shows a message in the status line. */
+  void say(String message) {
     status.say(message);
   }
 

@@ -92,11 +92,16 @@ public final class Windows implements WindowHost {
     return open.stream().allMatch(window::equals);
   }
 
-  /** Offers to bring back drawings that were not saved when the program was killed. */
-  void offer(List<Orphan> orphans) {
+  /**
+   * Offers to bring back drawings that were not saved when the program was killed.
+   *
+   * @param unread sentences that say which of them cannot be read
+   */
+  void offer(List<Orphan> orphans, List<String> unread) {
     for (Orphan orphan : orphans) {
       Recovery.ask(open.isEmpty() ? null : open.get(0), orphan, this::windowFor);
     }
+    open.stream().limit(1).forEach(window -> unread.forEach(window::say));
   }
 
   private MainWindow windowFor(Orphan orphan) {

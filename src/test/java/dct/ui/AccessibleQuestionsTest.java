@@ -134,9 +134,9 @@ class AccessibleQuestionsTest extends WindowTest {
       Files.copy(journal, left.resolve("a.journal"));
     }
     Session next = Session.in(folder);
-    List<Orphan> orphans = next.journals().orphans();
+    List<Orphan> orphans = next.journals().orphans(unread -> {});
     Windows again = onEventThread(() -> new Windows(next));
-    require("a drawing that was left", () -> again.offer(orphans));
+    require("a drawing that was left", () -> again.offer(orphans, List.of()));
     assertThat(left.resolve("a.journal")).exists();
   }
 

@@ -84,9 +84,9 @@ class SessionWindowTest extends WindowTest {
     Path left = Files.createDirectories(folder.resolve("dct.journal"));
     Files.copy(journals().get(0), left.resolve("a.journal"));
     Session next = Session.in(folder);
-    List<Orphan> orphans = next.journals().orphans();
+    List<Orphan> orphans = next.journals().orphans(unread -> {});
     Windows again = onEventThread(() -> new Windows(next));
-    later(() -> again.offer(orphans));
+    later(() -> again.offer(orphans, List.of()));
     JOptionPaneFixture question = dialog();
     assertThat(message(question))
         .startsWith("Recover the drawing of New polygon?")

@@ -11,6 +11,7 @@ import dct.ui.document.Origin;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.URI;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -144,16 +145,24 @@ final class JournalText {
     return RESULT + " " + view + " " + line(title) + "\n" + END + "\n";
   }
 
-  /** The state after the last whole step; nothing if there is none. */
+  /**
+   * The state after the last whole step; nothing if the program was killed before there was one.
+   *
+   * @throws UnreadableJournalException if there may be more in it than can be read
+   */
   static Optional<Content> read(BufferedReader in) throws IOException {
     Reader reader = new Reader(in);
     try {
-      reader.head();
+      if (!reader.head()) {
+        return Optional.empty();
+      }
       while (reader.step()) {
         // one after the other
       }
     } catch (IllegalArgumentException e) {
-      // what was read before it counts
+      reader.requireSteps(); // what was read before it counts
+    } catch (CharacterCodingException e) {
+      throw new UnreadableJournalException();
     }
     return reader.content();
   }
@@ -177,13 +186,18 @@ final class JournalText {
       return line;
     }
 
-    void head() throws IOException {
-      require(FORMAT.equals(next()));
+    /** Reads the head; false if the file ends within its first line. */
+    boolean head() throws IOException {
+      if (next() == null || (!FORMAT.equals(line) && FORMAT.startsWith(line))) {
+        return false;
+      }
+      require(FORMAT.equals(line));
       while (next() != null && !line.startsWith(STEP + " ")) {
         int gap = line.indexOf(' ');
         require(gap > 0);
         head.put(line.substring(0, gap), line.substring(gap + 1));
       }
+      return true;
     }
 
     /** Reads the step that the line begins; false if there is none that is whole. */
@@ -242,18 +256,24 @@ final class JournalText {
       }
     }
 
-    Optional<Content> content() {
-      Optional<Domain> domain = Domain.parse(head.getOrDefault("kind", ""));
-      return steps == 0 ? Optional.empty() : domain.flatMap(this::content);
+    void requireSteps() throws UnreadableJournalException {
+      if (steps == 0) {
+        throw new UnreadableJournalException();
+      }
     }
 
-    private Optional<Content> content(Domain domain) {
+    Optional<Content> content() throws UnreadableJournalException {
+      if (steps == 0) {
+        return Optional.empty();
+      }
+      Domain domain =
+          Domain.parse(head.getOrDefault("kind", "")).orElseThrow(UnreadableJournalException::new);
       try {
         Document document = document(domain);
         return Optional.of(
             new Content(document, head.getOrDefault("name", ""), origin(), view, title));
       } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-        return Optional.empty(); // no vertices after all
+        throw new UnreadableJournalException(); // no vertices after all
       }
     }
 

@@ -50,15 +50,18 @@ public final class Journals {
 
   /**
    * The drawings whose programs ended without saving or giving them up, the oldest first. They are
-   * this program's until {@link Orphan#leave} or its end: no other one offers them meanwhile.
+   * this program's until {@link Orphan#leave} or its end: no other one offers them meanwhile. A
+   * journal that this program cannot read stays as it is: another version may have written it.
+   *
+   * @param unread is told of each of those, in a sentence for a person
    */
-  public List<Orphan> orphans() {
+  public List<Orphan> orphans(Consumer<String> unread) {
     List<Orphan> orphans = new ArrayList<>();
     for (Path file : files()) {
       try {
         take(file).ifPresent(orphans::add);
       } catch (IOException e) {
-        // it stays for the next time
+        unread.accept(unreadable(file));
       }
     }
     orphans.sort(Comparator.comparing(Orphan::time));
@@ -82,11 +85,23 @@ public final class Journals {
     if (lease.isEmpty()) {
       return Optional.empty(); // its program is at work
     }
-    Optional<Orphan> orphan = Orphan.of(file, lease.get(), lane);
-    if (orphan.isEmpty()) {
-      JournalFile.delete(file); // killed before the first state was in it
-      lease.get().close();
+    Optional<Orphan> orphan = Optional.empty();
+    try {
+      orphan = Orphan.of(file, lease.get(), lane);
+      if (orphan.isEmpty()) {
+        JournalFile.delete(file); // killed before the first state was in it
+      }
+    } finally {
+      if (orphan.isEmpty()) {
+        lease.get().close();
+      }
     }
     return orphan;
+  }
+
+  private static String unreadable(Path file) {
+    return "A drawing that was not saved cannot be read by this version of the program, and is kept"
+        + " as it is: "
+        + file;
   }
 }

@@ -71,7 +71,7 @@ class JournalKillTest {
     Lane lane = new Lane();
     for (int k = 1; k <= KILLS; k++) {
       killAfter(writer(), k);
-      List<Orphan> orphans = new Journals(folder, lane).orphans();
+      List<Orphan> orphans = new Journals(folder, lane).orphans(unread -> {});
       Points back = orphans.isEmpty() ? Points.ofPairs() : orphans.get(0).document().points();
       assertThat(back.size()).isGreaterThanOrEqualTo(k - 1);
       assertThat(back).isEqualTo(drawn(back.size()));
@@ -101,7 +101,7 @@ class JournalKillTest {
           .singleElement()
           .satisfies(journal -> assertThat(Files.readString(journal)).endsWith("\nend\n"));
     }
-    List<Orphan> orphans = new Journals(folder, new Lane()).orphans();
+    List<Orphan> orphans = new Journals(folder, new Lane()).orphans(unread -> {});
     assertThat(orphans).hasSize(1);
     assertThat(orphans.get(0).document().points()).isEqualTo(drawn(vertices - 1));
   }
@@ -115,10 +115,10 @@ class JournalKillTest {
       assertThat(said.readLine()).isEqualTo("2"); // so that the first vertex is in its journal
       killAfter(dead, 5);
       Journals journals = new Journals(folder, new Lane());
-      assertThat(journals.orphans())
+      assertThat(journals.orphans(unread -> {}))
           .singleElement()
           .satisfies(orphan -> assertThat(orphan.document().size()).isGreaterThanOrEqualTo(4));
-      assertThat(journals.orphans()).isEmpty(); // it is taken
+      assertThat(journals.orphans(unread -> {})).isEmpty(); // it is taken
     } finally {
       living.destroyForcibly();
       living.waitFor();

@@ -37,6 +37,7 @@ class JournalTest {
   @TempDir Path folder;
   private final Lane lane = new Lane();
   private final List<IOException> failures = new ArrayList<>();
+  private final List<String> unread = new ArrayList<>();
   private Editor editor;
 
   @BeforeEach
@@ -59,6 +60,10 @@ class JournalTest {
   }
 
   private List<Path> files() throws IOException {
+    return files(folder);
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
     try (Stream<Path> all = Files.list(folder)) {
       return all.toList();
     }
@@ -77,7 +82,7 @@ class JournalTest {
     for (int i = 0; i < texts.length; i++) {
       Files.writeString(copies.resolve(i + ".journal"), texts[i]);
     }
-    return new Journals(copies, lane).orphans();
+    return new Journals(copies, lane).orphans(unread::add);
   }
 
   private Document back() throws IOException {
@@ -166,19 +171,49 @@ class JournalTest {
   }
 
   @Test
-  void whatIsNoJournalIsNeitherOfferedNorKept() throws Exception {
-    Path copies = folder.resolve("strange");
+  void aJournalWithoutAWholeStepIsNeitherOfferedNorKept() throws Exception {
+    Path copies = folder.resolve("begun");
     List<Orphan> orphans =
         comingBack(
             copies,
             "",
-            "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 2",
-            "dct-journal/1\nkind circle\nname a\nstep 0 0 1\n1 2 e\nend\n",
-            "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 two e\nend\n",
-            "dct-journal/1\nkind polygon\nname a\nstep 5 0 1\n1 2 e\nend\n",
-            "\0\0\0\0");
+            "dct-jour",
+            "dct-journal/1\n",
+            "dct-journal/1\nkind polygon\nname a\n",
+            "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 2");
     assertThat(orphans).isEmpty();
+    assertThat(unread).isEmpty();
     assertThat(copies).isEmptyDirectory();
+  }
+
+  @Test
+  void whatCannotBeReadIsKeptAndSaid() throws Exception {
+    Path copies = folder.resolve("strange");
+    String[] strange = {
+      "dct-journal/2\nkind polygon\nname a\nstep 0 0 1\n1 2 e\nend\n",
+      "dct-journal/10\nkind polygon\nname a\nstep 0 0 1\n1 2 e\nend\n",
+      "dct-journal/1\nkind circle\nname a\nstep 0 0 1\n1 2 e\nend\n",
+      "dct-journal/1\nkind polygon\nname a\nstep 0 0 1\n1 two e\nend\n",
+      "dct-journal/1\nkind polygon\nname a\nstep 5 0 1\n1 2 e\nend\n",
+      "\0\0\0\0"
+    };
+    assertThat(comingBack(copies, strange)).isEmpty();
+    for (int i = 0; i < strange.length; i++) {
+      assertThat(copies.resolve(i + ".journal")).hasContent(strange[i]);
+      assertThat(unread.get(i)).endsWith(".journal").contains("is kept as it is: " + copies);
+    }
+    assertThat(unread).hasSameSizeAs(strange).doesNotHaveDuplicates();
+    assertThat(files(copies)).as("no lease is left").hasSameSizeAs(strange);
+  }
+
+  @Test
+  void whatIsNoTextIsKept() throws Exception {
+    Path copies = Files.createDirectories(folder.resolve("strange"));
+    Path journal = copies.resolve("0.journal");
+    Files.write(journal, new byte[] {(byte) 0xff, (byte) 0xfe, 'd', 0, 'c', 0, 't', 0, '\n', 0});
+    assertThat(comingBack(copies)).isEmpty();
+    assertThat(unread).hasSize(1);
+    assertThat(journal).exists();
   }
 
   @Test
@@ -231,7 +266,7 @@ class JournalTest {
   @Test
   void thoseOfALivingProgramAreNotOffered() throws Exception {
     perform(Edit.draw(editor.document(), 10, 20));
-    assertThat(new Journals(folder, lane).orphans()).isEmpty();
+    assertThat(new Journals(folder, lane).orphans(unread::add)).isEmpty();
   }
 
   @Test
@@ -239,10 +274,10 @@ class JournalTest {
     perform(Edit.draw(editor.document(), 10, 20));
     Path copies = folder.resolve("copies");
     Orphan orphan = comingBack(copies, text()).get(0);
-    assertThat(new Journals(copies, lane).orphans()).isEmpty();
+    assertThat(new Journals(copies, lane).orphans(unread::add)).isEmpty();
     orphan.leave();
     lane.await();
-    Orphan again = new Journals(copies, lane).orphans().get(0);
+    Orphan again = new Journals(copies, lane).orphans(unread::add).get(0);
     again.discard();
     lane.await();
     assertThat(copies).isEmptyDirectory();
