@@ -29,6 +29,7 @@ import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 
@@ -144,17 +145,23 @@ final class AccessLaws {
 
   /** Presses Esc where the focus is in a dialog, and waits until the dialog is closed. */
   static void closeByEscape(Dialog dialog) {
+    closeBy(KeyStroke.getKeyStroke("ESCAPE"), dialog);
+  }
+
+  /** Presses a key where the focus is in a dialog, and waits until the dialog is closed. */
+  static void closeBy(KeyStroke key, Dialog dialog) {
     WindowTest.onEventThread(
         () -> {
           Component at = focused(dialog);
           for (int id : new int[] {KeyEvent.KEY_PRESSED, KeyEvent.KEY_RELEASED}) {
             long now = System.currentTimeMillis();
+            int code = key.getKeyCode();
             at.dispatchEvent(
-                new KeyEvent(at, id, now, 0, KeyEvent.VK_ESCAPE, (char) KeyEvent.VK_ESCAPE));
+                new KeyEvent(at, id, now, key.getModifiers(), code, KeyEvent.CHAR_UNDEFINED));
           }
           return null;
         });
-    WindowTest.await(dialog.getTitle() + " is closed by Esc", () -> !dialog.isShowing());
+    WindowTest.await(dialog.getTitle() + " is closed by " + key, () -> !dialog.isShowing());
   }
 
   private static List<Component> controls(Container of) {

@@ -82,6 +82,14 @@ class AccessibleQuestionsTest extends WindowTest {
   }
 
   @Test
+  void theOfferOfThePointsAlone() throws IOException {
+    String twice = "OFF\n4 2 0\n0 0 0\n90 0 0\n90 90 0\n0 90 0\n3 0 1 2\n3 2 1 0\n";
+    Path file = Files.writeString(folder.resolve("twice.off"), twice);
+    require("a mesh that is no triangulation", () -> window.open(file));
+    assertThat(onEventThread(() -> window.workbench().domain())).isEmpty();
+  }
+
+  @Test
   void theQuestionsBeforeAFileIsReplaced() throws IOException {
     choose("Polygon Based");
     Path file = Files.writeString(folder.resolve("a_polygonbased.txt"), "0 0\n9 0\n9 9\n");

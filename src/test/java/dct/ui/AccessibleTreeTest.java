@@ -17,6 +17,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
@@ -203,6 +204,11 @@ class AccessibleTreeTest extends WindowTest {
   private void requireDialog(CommandWindow of, String command) {
     Dialog opened = (Dialog) open(of, command);
     AccessLaws.requireAnswerable(opened);
+    if (!opened.isModal()) {
+      AccessLaws.closeBy(KeyStroke.getKeyStroke("ctrl W"), opened);
+      robot.waitForIdle();
+      opened = (Dialog) open(of, command);
+    }
     AccessLaws.closeByEscape(opened);
     robot.waitForIdle();
   }

@@ -2,7 +2,7 @@ package dct.ui.explain;
 
 import dct.core.geometry.Box;
 import dct.ui.canvas.CanvasPanel;
-import dct.ui.command.EscapeKey;
+import dct.ui.command.CloseKeys;
 import dct.ui.dialog.Formulas;
 import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
@@ -22,7 +22,7 @@ import javax.swing.SwingUtilities;
 
 /**
  * A dialog with text to read, beside which the window can be used on. The text can be selected,
- * copied, and read line by line by a screen reader. Esc, Enter and Close close it.
+ * copied, and read line by line by a screen reader. Esc, Ctrl+W, Enter and Close close it.
  */
 final class TextDialog extends JDialog {
   private static final long serialVersionUID = 1L;
@@ -60,7 +60,7 @@ final class TextDialog extends JDialog {
     add(scroll, BorderLayout.CENTER);
     add(buttons(), BorderLayout.SOUTH);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-    EscapeKey.closes(this);
+    CloseKeys.close(this);
     pack();
   }
 

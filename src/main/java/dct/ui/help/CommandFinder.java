@@ -1,8 +1,8 @@
 package dct.ui.help;
 
+import dct.ui.command.CloseKeys;
 import dct.ui.command.Command;
 import dct.ui.command.CommandSearch;
-import dct.ui.command.EscapeKey;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Frame;
@@ -56,7 +56,7 @@ public final class CommandFinder extends JDialog {
     listen();
     search();
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-    EscapeKey.closes(this);
+    CloseKeys.close(this);
     pack();
   }
 

@@ -1,6 +1,6 @@
 package dct.ui.help;
 
-import dct.ui.command.EscapeKey;
+import dct.ui.command.CloseKeys;
 import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -43,7 +43,7 @@ public final class CommandList extends JDialog {
     content.add(scroll, BorderLayout.CENTER);
     setContentPane(content);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-    EscapeKey.closes(this);
+    CloseKeys.close(this);
     Placement.over(this, owner);
   }
 

@@ -1,6 +1,6 @@
 package dct.ui.result;
 
-import dct.ui.command.EscapeKey;
+import dct.ui.command.CloseKeys;
 import dct.ui.document.Result;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -119,7 +119,7 @@ public final class ResultTable extends JDialog {
     copy.addActionListener(e -> copy());
     compare.addActionListener(e -> compare());
     getRootPane().setDefaultButton(compare);
-    EscapeKey.closes(this);
+    CloseKeys.close(this);
   }
 
   private void layOut() {

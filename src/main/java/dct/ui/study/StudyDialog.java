@@ -5,7 +5,7 @@ import dct.experiment.study.StudyExport;
 import dct.experiment.study.StudyRow;
 import dct.io.CannotWriteException;
 import dct.io.FileEnding;
-import dct.ui.command.EscapeKey;
+import dct.ui.command.CloseKeys;
 import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -124,7 +124,7 @@ public final class StudyDialog extends JDialog {
     export.addActionListener(e -> export());
     charts.addActionListener(e -> showChart());
     getRootPane().setDefaultButton(start);
-    EscapeKey.closes(this);
+    CloseKeys.close(this);
     addWindowListener(
         new WindowAdapter() {
           @Override
