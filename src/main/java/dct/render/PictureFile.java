@@ -38,6 +38,16 @@ public final class PictureFile {
   }
 
   /**
+   * A picture as the image that a PNG holds; it is opaque.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static BufferedImage image(Scene scene, PictureStyle style, Progress progress) {
+    Picture picture = Picture.of(scene, style, "", progress);
+    return picture.image(picture.sheet.pixels());
+  }
+
+  /**
    * A picture as an image of about this width, for a look at it before it is written.
    *
    * @throws java.util.concurrent.CancellationException if cancelled

@@ -29,6 +29,7 @@ import dct.ui.file.Closing;
 import dct.ui.file.FileCommands;
 import dct.ui.file.FileDrop;
 import dct.ui.file.FileWork;
+import dct.ui.file.PictureCopy;
 import dct.ui.file.WindowHost;
 import dct.ui.flip.FlipCommands;
 import dct.ui.flip.FlipDesk;
@@ -155,6 +156,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     EditCommands.offer(commands, workbench);
     SelectionCommands.offer(commands, workbench);
     CopyAsCommands.offer(commands, workbench, canvas);
+    PictureCopy.offer(commands, canvas, workbench.jobs(), workbench::say);
     SnapCommands.offer(commands, this, workbench.snap(), session.settings());
     crossings.offer(commands);
     FileCommands.offer(commands, files, canvas, session.recent());

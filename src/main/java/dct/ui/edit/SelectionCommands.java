@@ -29,6 +29,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -42,6 +43,7 @@ import java.util.Set;
  */
 public final class SelectionCommands {
   private static final String CLIPBOARD = "the clipboard";
+  private static final String IPE = "<ipeselection";
   private static final int ASIDE = 20; // steps of an arrow key
   private static final int TRIES = 100;
   private static final int MOST_WORK = 3_000_000; // vertices looked at in all tries: 30 ms
@@ -136,11 +138,12 @@ public final class SelectionCommands {
 
   private void paste(String text, Choice choice) {
     Domain domain = workbench.document().domain();
+    boolean turned = text.stripLeading().startsWith(IPE) && !workbench.viewport().yUp();
     workbench
         .jobs()
         .read(
             "Pasting",
-            progress -> Found.by(() -> distinct(parse(text, choice), domain, progress)),
+            progress -> Found.by(() -> distinct(parse(text, choice, turned), domain, progress)),
             found ->
                 found.handOn(
                     points -> paste(points, domain), unclear -> choose(text, choice, unclear)));
@@ -171,10 +174,12 @@ public final class SelectionCommands {
     }
   }
 
-  private static Points parse(String text, Choice choice) {
+  /** The points of a text; a drawing of Ipe looks as it does there if it is turned. */
+  private static Points parse(String text, Choice choice, boolean turned) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     try {
-      return PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes), choice).points();
+      Points read = PointFile.read(CLIPBOARD, new ByteArrayInputStream(bytes), choice).points();
+      return turned ? Points.of(read.xs(), Arrays.stream(read.ys()).map(y -> -y).toArray()) : read;
     } catch (IOException e) {
       throw new UncheckedIOException(e); // an array has no errors
     }

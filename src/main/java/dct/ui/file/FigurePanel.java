@@ -73,6 +73,12 @@ final class FigurePanel extends JPanel {
     changed();
   }
 
+  /** The picture that was asked for last, of what this canvas shows now. */
+  static PictureStyle remembered(CanvasPanel canvas) {
+    FigurePanel panel = new FigurePanel(canvas);
+    return panel.usable().orElseGet(() -> Figure.DEFAULT.withYUp(canvas.viewport().yUp()));
+  }
+
   private Fields fields() {
     Fields fields = new Fields();
     fields.ask("Shows:", 'h', "extent", extent, "All, laid out for a paper, or the window's part");

@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JPanel;
 import javax.swing.SwingWorker;
 
-/** A small picture of what will be written, drawn in the background. */
+/** A small picture of what will be written, drawn in the background once there is a panel. */
 final class FigurePreview extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final int WIDTH = 300;
@@ -23,6 +23,7 @@ final class FigurePreview extends JPanel {
 
   private final transient Scene scene;
   private final transient AtomicInteger turn = new AtomicInteger();
+  private transient Optional<? extends PictureStyle> wished = Optional.empty();
   private transient BufferedImage image;
 
   /** A preview of pictures of a scene, empty as yet. */
@@ -36,10 +37,23 @@ final class FigurePreview extends JPanel {
 
   /** Shows a picture once it is drawn; nothing if there is none. */
   void show(Optional<? extends PictureStyle> style) {
-    int mine = turn.incrementAndGet();
+    wished = style;
     image = null;
     repaint();
-    style.ifPresent(shown -> new Drawing(shown, mine).execute());
+    if (isDisplayable()) {
+      draw();
+    }
+  }
+
+  private void draw() {
+    int mine = turn.incrementAndGet();
+    wished.ifPresent(shown -> new Drawing(shown, mine).execute());
+  }
+
+  @Override
+  public void addNotify() {
+    super.addNotify();
+    draw();
   }
 
   /** The drawing of one picture, in the background. */

@@ -11,6 +11,7 @@ public final class MenuTable {
   private static final Plan RESULT_FILE =
       Plan.of("File", "Save", "Save As", LINE, "Export Picture", "Export Data", LINE, "Close");
   private static final Plan PICTURE_FILE = Plan.of("File", "Export Picture", LINE, "Close");
+  private static final String COPY_PICTURE = "Copy Picture";
 
   private static final List<String> LOOK =
       List.of(
@@ -113,6 +114,7 @@ public final class MenuTable {
               "Copy as WKT",
               "Copy as GeoJSON",
               "Copy for Ipe",
+              COPY_PICTURE,
               "Paste",
               "Duplicate",
               "Delete Selection",
@@ -183,14 +185,18 @@ public final class MenuTable {
   public static final List<Plan> RESULT =
       List.of(
           RESULT_FILE,
-          Plan.of("Edit", "Undo", "Redo"),
+          Plan.of("Edit", "Undo", "Redo", LINE, COPY_PICTURE),
           VIEW,
           REPLAY,
           Plan.of("Help", "Why?", "Verify Result", LINE, "Commands and Keys", "Find Command…"));
 
   /** The menus of a frame that shows a picture. */
   public static final List<Plan> PICTURE =
-      List.of(PICTURE_FILE, view(), Plan.of("Help", "Commands and Keys", "Find Command…"));
+      List.of(
+          PICTURE_FILE,
+          Plan.of("Edit", COPY_PICTURE),
+          view(),
+          Plan.of("Help", "Commands and Keys", "Find Command…"));
 
   private MenuTable() {}
 }

@@ -8,6 +8,7 @@ import dct.ui.document.Editor;
 import dct.ui.document.History;
 import dct.ui.document.Result;
 import dct.ui.file.FileWork;
+import dct.ui.file.PictureCopy;
 import dct.ui.result.Arrangement;
 import dct.ui.result.ResultView;
 import dct.ui.result.ViewArea;
@@ -190,6 +191,7 @@ public final class ResultFrames {
     ResultFlips flipping = new ResultFlips(view, workbench, () -> isOfHistory(view), files::folder);
     flips.put(view, flipping);
     ResultCommands.offerSaving(view, files, flipping::say);
+    PictureCopy.offer(view.commands(), view.canvas(), workbench.jobs(), flipping::say);
     more.accept(view.commands());
     all.add(view);
   }
