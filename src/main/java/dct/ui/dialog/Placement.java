@@ -5,11 +5,16 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.GraphicsConfiguration;
+import java.awt.GraphicsEnvironment;
 import java.awt.Insets;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JFrame;
 import javax.swing.Timer;
@@ -57,7 +62,10 @@ public final class Placement {
     }
   }
 
-  /** Puts a window where it was when the settings were told of it, or else into the middle. */
+  /**
+   * Puts a window where it was when the settings were told of it, also on another screen than the
+   * first, or else into the middle.
+   */
   public static void restore(JFrame window, Settings settings) {
     centre(window);
     OptionalInt x = settings.number("window.x");
@@ -67,14 +75,31 @@ public final class Placement {
     if (x.isPresent() && y.isPresent() && width.isPresent() && height.isPresent()) {
       Rectangle bounds =
           new Rectangle(x.getAsInt(), y.getAsInt(), width.getAsInt(), height.getAsInt());
-      if (isReachable(bounds, usable(window))) {
-        window.setBounds(noLarger(bounds, usable(window)));
-        setPlaced(window);
-      }
+      placed(bounds, screens())
+          .ifPresent(
+              there -> {
+                window.setBounds(there);
+                setPlaced(window);
+              });
     }
     if (settings.isOn("window.maximized")) {
       window.setExtendedState(Frame.MAXIMIZED_BOTH);
     }
+  }
+
+  /**
+   * Where a window can be that had these bounds: on the screen that shows most of it; nowhere if no
+   * screen shows enough to use it.
+   */
+  static Optional<Rectangle> placed(Rectangle window, List<Rectangle> screens) {
+    return screens.stream()
+        .filter(screen -> isReachable(window, screen))
+        .max(Comparator.comparingLong(screen -> area(window.intersection(screen))))
+        .map(screen -> noLarger(window, screen));
+  }
+
+  private static long area(Rectangle part) {
+    return (long) part.width * part.height;
   }
 
   /** These bounds, made smaller where the screen is: it may have been a larger one before. */
@@ -89,7 +114,7 @@ public final class Placement {
   }
 
   /** Whether enough of a window is on the screen to use it and move it. */
-  static boolean isReachable(Rectangle window, Rectangle screen) {
+  private static boolean isReachable(Rectangle window, Rectangle screen) {
     Rectangle seen = window.intersection(screen);
     return seen.width >= LEAST && seen.height >= LEAST && window.y >= screen.y;
   }
@@ -174,7 +199,18 @@ public final class Placement {
 
   /** The part of the screen of a window that no bar of the desktop takes. */
   public static Rectangle usable(Window window) {
-    GraphicsConfiguration configuration = window.getGraphicsConfiguration();
+    return usable(window.getGraphicsConfiguration());
+  }
+
+  /** The usable parts of all screens. */
+  private static List<Rectangle> screens() {
+    GraphicsEnvironment here = GraphicsEnvironment.getLocalGraphicsEnvironment();
+    return Arrays.stream(here.getScreenDevices())
+        .map(device -> usable(device.getDefaultConfiguration()))
+        .toList();
+  }
+
+  private static Rectangle usable(GraphicsConfiguration configuration) {
     Rectangle screen = configuration.getBounds();
     Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(configuration);
     return new Rectangle(

@@ -40,6 +40,31 @@ class PlacementTest {
   }
 
   @Test
+  void aWindowComesBackOnTheScreenThatItWasOn() {
+    Rectangle first = new Rectangle(0, 30, 1920, 1050);
+    Rectangle above = new Rectangle(0, -1024, 1280, 1024);
+    List<Rectangle> all = List.of(first, SECOND, above);
+    for (Rectangle window :
+        List.of(
+            new Rectangle(58, 66, 1278, 810),
+            new Rectangle(1950, 20, 1200, 900),
+            new Rectangle(1800, 50, 800, 600), // more of it is on the second screen
+            new Rectangle(20, -1000, 700, 500))) {
+      assertThat(Placement.placed(window, all)).contains(window);
+    }
+    Rectangle large = new Rectangle(1950, 0, 1900, 900);
+    assertThat(Placement.placed(large, all)).contains(new Rectangle(1920, 0, 1280, 900));
+  }
+
+  @Test
+  void aWindowWhoseScreenIsGoneDoesNotComeBackThere() {
+    assertThat(Placement.placed(new Rectangle(1950, 20, 1200, 900), List.of(SCREEN))).isEmpty();
+    assertThat(Placement.placed(new Rectangle(960, 100, 800, 600), List.of(SCREEN))).isEmpty();
+    Rectangle partly = new Rectangle(900, 100, 800, 600);
+    assertThat(Placement.placed(partly, List.of(SCREEN))).contains(partly);
+  }
+
+  @Test
   void aNewWindowIsAStepLowerAndFurtherRight() {
     assertThat(Placement.below(new Rectangle(100, 100, 600, 400), SCREEN))
         .isEqualTo(new Rectangle(136, 136, 600, 400));
