@@ -101,6 +101,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient FlipCommands flips;
   private final transient Explainer explainer;
   private final transient BoundNote bound;
+  private final transient StepViews steps = new StepViews(canvas);
   private final transient Map<Editor, Left> views = new HashMap<>(); // of what is not shown
   private final transient Session session;
   private final transient List<Journal> journals;
@@ -120,7 +121,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     files = new FileWork(this, workbench, session.recent(), this::showOpened);
     results = new ResultFrames(workbench, this, canvas, links, area, files);
     resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
-    crossings = new CrossingWork(workbench, canvas);
+    crossings = new CrossingWork(workbench, canvas, this::refit);
     closing = new Closing(this, workbench, files, host, this::closeForGood);
     changed = new ChangedFiles(this, workbench, files::save, session.lane());
     journals = Stream.of(Domain.values()).map(this::journal).toList();
@@ -172,7 +173,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
         new WishWork(this, workbench, files::folder));
     searches.offer(commands, this);
     PieceWork.offer(commands, workbench, results::show);
-    RandomCommands.offer(commands, this, workbench, calls, canvas::showWell);
+    RandomCommands.offer(commands, this, workbench, calls, this::refit);
     studies.offer(commands);
     ViewCommands.offer(commands, canvas);
     commands
@@ -301,6 +302,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     } else if (editor != null) {
       canvas.setScene(workbench.flips().onTheWay().orElse(editor.shown().scene()));
     }
+    workbench.active().map(Editor::history).ifPresent(steps::follow);
     bound.refresh();
     boolean empty = editor == null || editor.visible().size() == 0;
     invitation.show(workbench.domain(), empty, workbench.isDrawing());
@@ -348,7 +350,12 @@ public final class MainWindow extends JFrame implements CommandWindow {
       canvas.setViewport(canvas.viewport().flipped(0, 0));
     }
     workbench.active().ifPresent(editor -> canvas.setScene(editor.shown().scene()));
-    canvas.showWell();
+    refit();
+  }
+
+  /** Shows all of what a step has put on the canvas. */
+  private void refit() {
+    workbench.active().map(Editor::history).ifPresent(steps::refit);
   }
 
   /** Opens a file, as File ▸ Open does. */

@@ -264,6 +264,21 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
         .isEmpty();
   }
 
+  /** Whether some of the scene is in sight, or there is nothing to see. */
+  public boolean isAnyInSight() {
+    Box canvas = new Box(0, 0, getWidth(), getHeight());
+    return scene
+        .bounds()
+        .map(
+            box ->
+                canvas.mayMeet(
+                    viewport.screenX(box.minX()),
+                    viewport.screenY(box.minY()),
+                    viewport.screenX(box.maxX()),
+                    viewport.screenY(box.maxY())))
+        .orElse(true);
+  }
+
   @Override
   public void pan(double dx, double dy) {
     setViewport(viewport.panned(dx, dy));

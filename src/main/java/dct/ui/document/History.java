@@ -73,14 +73,24 @@ public final class History {
     }
   }
 
+  /** The edit that {@link #undo} would take back. */
+  public Optional<Edit> lastDone() {
+    return Optional.ofNullable(done.peek()).map(Step::edit);
+  }
+
+  /** The edit that {@link #redo} would apply. */
+  public Optional<Edit> lastUndone() {
+    return Optional.ofNullable(undone.peek()).map(Step::edit);
+  }
+
   /** The name of the edit that {@link #undo} would take back. */
   public Optional<String> undoLabel() {
-    return Optional.ofNullable(done.peek()).map(step -> step.edit.label());
+    return lastDone().map(Edit::label);
   }
 
   /** The name of the edit that {@link #redo} would apply. */
   public Optional<String> redoLabel() {
-    return Optional.ofNullable(undone.peek()).map(step -> step.edit.label());
+    return lastUndone().map(Edit::label);
   }
 
   /**

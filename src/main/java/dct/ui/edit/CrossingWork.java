@@ -34,14 +34,20 @@ public final class CrossingWork {
 
   private final Workbench workbench;
   private final CanvasPanel canvas;
+  private final Runnable shown;
   private final TouchingWork touching;
   private Optional<Defect> last = Optional.empty(); // gone to
   private Points lastOf = Points.ofPairs(); // the polygon in which it was
 
-  /** Work on the polygon of a workbench. */
-  public CrossingWork(Workbench workbench, CanvasPanel canvas) {
+  /**
+   * Work on the polygon of a workbench.
+   *
+   * @param shown is run when something else was put on the canvas
+   */
+  public CrossingWork(Workbench workbench, CanvasPanel canvas, Runnable shown) {
     this.workbench = workbench;
     this.canvas = canvas;
+    this.shown = shown;
     touching = new TouchingWork(workbench, canvas, this::useAsSites);
     canvas.addOverlay(this::markLast);
   }
@@ -212,6 +218,6 @@ public final class CrossingWork {
     sites.perform(new Edit.Replace(USE_AS_SITES, before, after));
     workbench.choose(Domain.SITES);
     workbench.chooseEdit();
-    canvas.showWell();
+    shown.run();
   }
 }

@@ -67,7 +67,12 @@ public final class RandomWork {
   private void show(Points points, RandomPlan plan) {
     Editor editor = workbench.editor(domain);
     editor.perform(Edit.replace(title, editor.document(), points));
-    shown.run();
+    if (workbench.isChosen(domain)) {
+      shown.run();
+    }
+    if (workbench.isDrawing()) {
+      workbench.chooseEdit(); // a stray click should not add a vertex, as with what was opened
+    }
     workbench.say(plan.words());
     form.suggestAfter(plan.seed());
   }
