@@ -29,7 +29,7 @@ class FormulasTest {
 
   @Test
   void otherTextIsAsItWas() {
-    String text = "A well-known set – of sites: v3→v4, +2 even.\n\nAs 4 of them.";
+    String text = "A well-known set – of sites: v3→v4, +2 even · odd 1.\n\nAs 4 of them.";
     assertThat(Formulas.unbroken(text)).isEqualTo(text);
   }
 }
