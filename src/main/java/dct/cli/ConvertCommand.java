@@ -1,6 +1,7 @@
 package dct.cli;
 
 import dct.core.Progress;
+import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.io.PointDocument;
 import dct.io.format.Shape;
@@ -16,7 +17,17 @@ import picocli.CommandLine.Model.OptionSpec;
 final class ConvertCommand extends Verb {
   private final InputParameters input = new InputParameters(this);
   private final OptionSpec output =
-      outputs(false, "Where to: " + endings() + "; - is text on standard output. May repeat.");
+      outputs(
+          false,
+          "Where to: "
+              + endings()
+              + "; - is standard output, text if --to says nothing else. May repeat.");
+  private final OptionSpec to =
+      option(
+          "--to",
+          "FORMAT",
+          formats(),
+          "The format, whatever the ending of OUTPUT: " + String.join(", ", formats()) + ".");
   private final OptionSpec list =
       flag("--list", "List the shapes in the input, as --pick numbers them, instead.");
 
@@ -30,12 +41,13 @@ final class ConvertCommand extends Verb {
             + " can hold one.");
     examples(
         "dct convert samples/star_polygonbased.txt -o star.ipe",
+        "dct convert samples/star_polygonbased.txt -o - --to wkt",
         "dct convert samples/star_polygonbased.txt --list");
   }
 
   @Override
   public Integer call() throws IOException {
-    List<String> outputs = outputsOf(output);
+    List<Output> outputs = outputs();
     if (isSet(list)) {
       list();
       return CommandLineProgram.DONE;
@@ -53,6 +65,18 @@ final class ConvertCommand extends Verb {
     }
   }
 
+  private List<Output> outputs() {
+    String format = to.getValue();
+    if (format == null) {
+      return outputsOf(output);
+    }
+    if (!formats().contains(format)) {
+      throw UsageException.unknown("--to", format, formats());
+    }
+    Optional<FileEnding> ending = Optional.of(ending("." + format));
+    return namesOf(output).stream().map(name -> new Output(name, ending)).toList();
+  }
+
   private void list() throws IOException {
     List<Shape> shapes = input.shapes(Progress.NONE).shapes();
     for (int i = 0; i < shapes.size(); i++) {
@@ -61,9 +85,9 @@ final class ConvertCommand extends Verb {
   }
 
   private void write(
-      PointDocument document, Optional<Solution> solution, List<String> outputs, Figure figure)
+      PointDocument document, Optional<Solution> solution, List<Output> outputs, Figure figure)
       throws IOException {
-    for (String file : outputs) {
+    for (Output file : outputs) {
       if (solution.isEmpty() || holdsPointsAlone(file)) {
         PointOutput.write(document, file, figure, console());
       } else {
@@ -73,14 +97,13 @@ final class ConvertCommand extends Verb {
         console()
             .err()
             .println(
-                Shown.harmless(file)
+                Shown.harmless(file.name())
                     + ": holds the points alone; the triangulation is left out, use .json");
       }
     }
   }
 
-  private static boolean holdsPointsAlone(String file) {
-    return file.equals(STANDARD_STREAM)
-        || !ending(file).holds(Content.TRIANGULATION, Content.PICTURE);
+  private static boolean holdsPointsAlone(Output file) {
+    return !file.format().orElse(FileEnding.TXT).holds(Content.TRIANGULATION, Content.PICTURE);
   }
 }

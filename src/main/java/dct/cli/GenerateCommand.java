@@ -96,15 +96,15 @@ final class GenerateCommand extends Verb {
 
   @Override
   public Integer call() throws IOException {
-    List<String> outputs = outputsOf(output);
+    List<Output> outputs = outputsOf(output);
     Figure figure = picture.figure(false);
-    if (isSet(json) && (outputs.isEmpty() || outputs.contains(STANDARD_STREAM))) {
+    if (isSet(json) && (outputs.isEmpty() || outputs.contains(Output.STANDARD))) {
       throw new UsageException("--json and the points both want standard output, use -o FILE");
     }
     try (Interruption interruption = new Interruption()) {
       PointDocument document = document(progress(interruption, true));
       checkNames(outputs, document.declared().orElseThrow());
-      for (String file : outputs.isEmpty() ? List.of(STANDARD_STREAM) : outputs) {
+      for (Output file : outputs.isEmpty() ? List.of(Output.STANDARD) : outputs) {
         PointOutput.write(document, file, figure, console());
       }
       if (isSet(json)) {
@@ -114,14 +114,14 @@ final class GenerateCommand extends Verb {
     }
   }
 
-  private JsonObject json(PointDocument document, List<String> outputs) {
+  private JsonObject json(PointDocument document, List<Output> outputs) {
     JsonObject object = new JsonObject();
     object.addProperty("kind", document.declared().orElseThrow().word());
     object.addProperty("shape", shapeWord());
     object.addProperty("seed", seed());
     object.addProperty("vertices", document.points().size());
     JsonArray files = new JsonArray();
-    outputs.forEach(files::add);
+    outputs.forEach(output -> files.add(output.name()));
     object.add("outputs", files);
     return object;
   }

@@ -2,6 +2,7 @@ package dct.cli;
 
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
+import dct.io.FileEnding;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.ResultJson;
@@ -9,36 +10,38 @@ import dct.io.format.Drawing;
 import dct.render.Figure;
 import dct.render.Scene;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 
-/** Writes points in the format that the name of an output asks for. */
+/** Writes points in the format of an output. */
 final class PointOutput {
   private PointOutput() {}
 
   /**
-   * Writes one output; {@code -} is text on standard output.
+   * Writes one output; on standard output it is text, unless another format is asked for.
    *
    * @param figure how a picture looks
-   * @throws UsageException if the ending of the name is no format
    */
-  static void write(PointDocument document, String output, Figure figure, Console console)
+  static void write(PointDocument document, Output output, Figure figure, Console console)
       throws IOException {
-    if (output.equals("-")) {
-      PointFile.write(console.out(), document);
-      console.out().flush();
-      return;
-    }
-    Path file = Path.of(output);
-    switch (Verb.ending(output)) {
-      case TXT -> PointFile.write(file, document, Progress.NONE);
-      case JSON -> ResultJson.write(file, document, Progress.NONE);
+    FileEnding ending = output.format().orElse(FileEnding.TXT);
+    switch (ending) {
+      case TXT -> writeText(document, output, console);
+      case JSON -> output.write(console, out -> ResultJson.write(out, document));
       default -> {
         Drawing drawing = Drawing.of(name(document), document.domain(), document.points());
-        if (!SolutionOutput.writeData(file, drawing, console)) {
-          SolutionOutput.write(scene(document), figure, name(document), file, console);
+        if (!SolutionOutput.writeData(output, ending, drawing, console)) {
+          SolutionOutput.write(scene(document), figure, name(document), output, ending, console);
         }
       }
+    }
+  }
+
+  private static void writeText(PointDocument document, Output output, Console console)
+      throws IOException {
+    if (output.isStandard()) {
+      output.write(console, out -> PointFile.write(out, document));
+    } else {
+      PointFile.write(output.file(), document, Progress.NONE);
     }
   }
 

@@ -1,10 +1,12 @@
 package dct.cli;
 
 import dct.core.Progress;
+import dct.io.CannotWriteException;
 import dct.io.DataFile;
 import dct.io.FileEnding;
 import dct.io.PointFile;
 import dct.io.ResultJson;
+import dct.io.format.CannotHold;
 import dct.io.format.Drawing;
 import dct.io.text.Shown;
 import dct.problem.Instance;
@@ -17,48 +19,52 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Writes a solution in the format that the name of an output asks for. */
+/** Writes a solution in the format of an output. */
 final class SolutionOutput {
   private SolutionOutput() {}
 
   /**
-   * Writes one output; {@code -} is the whole result on standard output.
+   * Writes one output; on standard output it is the whole result, unless another format is asked
+   * for.
    *
    * @param figure how a picture looks
-   * @throws UsageException if the ending of the name is no format
    */
   static void write(
       Solution solution,
       Optional<ResultJson.Millis> millis,
-      String output,
+      Output output,
       Figure figure,
       Console console)
       throws IOException {
-    if (output.equals(Verb.STANDARD_STREAM)) {
-      ResultJson.write(console.out(), solution, millis);
-      console.out().flush();
-      return;
-    }
-    Path file = Path.of(output);
     Instance instance = solution.instance();
-    switch (Verb.ending(output)) {
-      case TXT -> PointFile.write(file, instance.domain(), instance.points(), Progress.NONE);
-      case JSON -> ResultJson.write(file, solution, millis, Progress.NONE);
+    FileEnding ending = output.format().orElse(FileEnding.JSON);
+    switch (ending) {
+      case TXT ->
+          PointFile.write(output.file(), instance.domain(), instance.points(), Progress.NONE);
+      case JSON -> output.write(console, out -> ResultJson.write(out, solution, millis));
       default -> {
-        if (!writeData(file, Drawing.of(solution), console)) {
-          write(Scene.of(solution), figure, title(instance.name()), file, console);
+        if (!writeData(output, ending, Drawing.of(solution), console)) {
+          write(Scene.of(solution), figure, title(instance.name()), output, ending, console);
         }
       }
     }
   }
 
-  /** Writes data in the format of another program, if the file's name asks for one. */
-  static boolean writeData(Path file, Drawing drawing, Console console) throws IOException {
-    FileEnding ending = Verb.ending(file.toString());
+  /** Writes data in the format of another program, if it is one. */
+  static boolean writeData(Output output, FileEnding ending, Drawing drawing, Console console)
+      throws IOException {
     if (!DataFile.isOf(ending)) {
       return false;
     }
-    List<Path> written = DataFile.write(file, ending, drawing, Progress.NONE);
+    if (output.isStandard()) {
+      try {
+        output.write(console, out -> DataFile.write(out, ending, drawing, Progress.NONE));
+      } catch (CannotHold e) {
+        throw new CannotWriteException(output.name(), e);
+      }
+      return true;
+    }
+    List<Path> written = DataFile.write(output.file(), ending, drawing, Progress.NONE);
     for (Path beside : written.subList(1, written.size())) {
       console.err().println(Shown.harmless(beside + ": written, too; it holds the vertices"));
     }
@@ -72,11 +78,13 @@ final class SolutionOutput {
   }
 
   /** Writes a picture of the whole scene, with a warning if its reader will have trouble. */
-  static void write(Scene scene, Figure figure, String title, Path file, Console console)
+  static void write(
+      Scene scene, Figure figure, String title, Output output, FileEnding ending, Console console)
       throws IOException {
-    PictureFile.warning(scene, file)
+    PictureFile.warning(scene, ending)
         .ifPresent(
-            warning -> console.err().println(Shown.harmless(file.toString()) + ": " + warning));
-    PictureFile.write(scene, figure, title, file, Progress.NONE);
+            warning -> console.err().println(Shown.harmless(output.name()) + ": " + warning));
+    output.write(
+        console, out -> PictureFile.write(scene, figure, title, ending, out, Progress.NONE));
   }
 }

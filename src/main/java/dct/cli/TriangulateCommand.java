@@ -55,9 +55,9 @@ final class TriangulateCommand extends Verb {
 
   @Override
   public Integer call() throws IOException {
-    List<String> outputs = outputsOf(output);
+    List<Output> outputs = outputsOf(output);
     picture.check();
-    boolean printsResult = outputs.contains(STANDARD_STREAM);
+    boolean printsResult = outputs.contains(Output.STANDARD);
     if (isSet(json) && printsResult) {
       throw new UsageException("--json and -o - both want standard output, leave one out");
     }
@@ -78,13 +78,13 @@ final class TriangulateCommand extends Verb {
     }
   }
 
-  private void write(Made made, List<String> outputs, Figure figure) throws IOException {
-    for (String file : outputs) {
+  private void write(Made made, List<Output> outputs, Figure figure) throws IOException {
+    for (Output file : outputs) {
       SolutionOutput.write(made.solution, made.millis, file, figure, console());
     }
     if (isSet(json)) {
       console().print(ResultJson.summary(made.solution, made.millis));
-    } else if (!isSet(quiet) && !outputs.contains(STANDARD_STREAM)) {
+    } else if (!isSet(quiet) && !outputs.contains(Output.STANDARD)) {
       console().print(Summary.of(made.solution));
     }
   }

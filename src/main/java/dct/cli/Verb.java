@@ -6,7 +6,6 @@ import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.io.FileNames;
 import dct.problem.Solution;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -207,17 +206,14 @@ abstract class Verb implements Callable<Integer> {
    *
    * @throws UsageException if one of them has an ending that is no format
    */
-  static List<String> outputsOf(OptionSpec option) {
-    List<String> outputs = option.getValue();
-    if (outputs == null) {
-      return List.of();
-    }
-    for (String output : outputs) {
-      if (!output.equals(STANDARD_STREAM)) {
-        ending(output);
-      }
-    }
-    return outputs;
+  static List<Output> outputsOf(OptionSpec option) {
+    return namesOf(option).stream().map(Output::of).toList();
+  }
+
+  /** The names of the outputs asked for. */
+  static List<String> namesOf(OptionSpec option) {
+    List<String> names = option.getValue();
+    return names == null ? List.of() : names;
   }
 
   /**
@@ -225,16 +221,20 @@ abstract class Verb implements Callable<Integer> {
    *
    * @throws UsageException if one does and can be read again
    */
-  static void checkNames(List<String> outputs, Domain domain) {
-    for (String output : outputs) {
-      boolean isRead = FileEnding.TXT.isOf(output) || FileEnding.JSON.isOf(output);
+  static void checkNames(List<Output> outputs, Domain domain) {
+    for (Output output : outputs) {
       Optional<String> wrong =
-          isRead ? FileNames.contradiction(Path.of(output), domain) : Optional.empty();
+          output.isOwnFile() ? FileNames.contradiction(output.file(), domain) : Optional.empty();
       wrong.ifPresent(
           sentence -> {
             throw new UsageException(sentence);
           });
     }
+  }
+
+  /** The words for the formats of all outputs that are no files of a study. */
+  static List<String> formats() {
+    return List.of(FileEnding.extensions(CONTENTS));
   }
 
   /** The endings of all outputs that are no files of a study, for messages. */

@@ -29,7 +29,7 @@ public final class CannotWriteException extends IOException {
   }
 
   /** Says that a format cannot hold what was to be written to a file. */
-  CannotWriteException(String file, CannotHold why) {
+  public CannotWriteException(String file, CannotHold why) {
     super(Shown.harmless(file) + ": " + why.getMessage(), why);
   }
 

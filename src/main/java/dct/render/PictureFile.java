@@ -33,8 +33,19 @@ public final class PictureFile {
       Scene scene, PictureStyle style, String name, Path file, Progress progress)
       throws CannotWriteException {
     FileEnding ending = FileEnding.require(file, Content.PICTURE);
-    Picture picture = Picture.of(scene, style, name, progress);
-    AtomicFile.write(file, progress, out -> picture.write(ending, out));
+    AtomicFile.write(file, progress, out -> write(scene, style, name, ending, out, progress));
+  }
+
+  /** The same to a stream, in the format of this ending. */
+  public static void write(
+      Scene scene,
+      PictureStyle style,
+      String name,
+      FileEnding ending,
+      OutputStream out,
+      Progress progress)
+      throws IOException {
+    Picture.of(scene, style, name, progress).write(ending, out);
   }
 
   /**
@@ -58,9 +69,9 @@ public final class PictureFile {
     return picture.image(width / picture.sheet.width());
   }
 
-  /** What should be said before a scene is written to this file, if anything. */
-  public static Optional<String> warning(Scene scene, Path file) {
-    boolean isSlow = FileEnding.TEX.isOf(file.toString()) && scene.edgeCount() > MOST_FOR_TEX;
+  /** What should be said before a scene is written to a file of this ending, if anything. */
+  public static Optional<String> warning(Scene scene, FileEnding ending) {
+    boolean isSlow = ending == FileEnding.TEX && scene.edgeCount() > MOST_FOR_TEX;
     return isSlow
         ? Optional.of(
             String.format(

@@ -164,6 +164,9 @@ class CommandLineProgramTest {
             + " (did you mean clusters?), use uniform, disk, clusters, lattice, jittered-lattice,"
             + " circle or lines; see dct generate --help",
         "convert - | dct convert: -o OUTPUT is missing; see dct convert --help",
+        "convert - -o - --to wtk | dct convert: --to wtk is unknown (did you mean wkt?), use txt,"
+            + " json, wkt, geojson, node, poly, ele, edge, off, obj, instance.json, solution.json,"
+            + " png, svg, pdf, ipe or tex; see dct convert --help",
       })
   void wrong_usage_is_one_line_and_status_2(String words, String message) {
     Object[] arguments = words.isEmpty() ? new Object[0] : words.split(" ", -1);

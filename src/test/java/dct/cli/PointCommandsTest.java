@@ -118,6 +118,35 @@ class PointCommandsTest {
   }
 
   @Test
+  void convert_writes_the_format_asked_for_whatever_the_ending() throws IOException {
+    Path file = folder.resolve("x.data");
+    CliRun.withInput("0 0\n4 0\n0 4", "convert", "-", "-o", file, "-o", "-", "--to", "wkt");
+    assertThat(file).hasContent("POLYGON ((0 0, 4 0, 0 4, 0 0))");
+    for (String format : List.of("txt", "wkt", "geojson", "node", "poly", "off", "obj", "json")) {
+      CliRun run = CliRun.of("convert", file, "-o", "-", "--to", format).done();
+      CliRun back = CliRun.withInput(run.out(), "convert", "-", "-o", "-").done();
+      assertThat(back.out()).as(format).endsWith("0 0\n4 0\n0 4\n");
+    }
+    assertThat(CliRun.of("convert", file, "-o", "-", "--to", "svg").done().out())
+        .startsWith("<?xml");
+    assertThat(CliRun.of("convert", file, "-o", "-", "--to", "png").done().out()).contains("PNG");
+  }
+
+  @Test
+  void convert_to_a_stream_keeps_the_triangulation_or_says_that_there_is_none() {
+    String square = "0 0\n4 0\n4 4\n0 4";
+    CliRun result = CliRun.withInput(square, "triangulate", "-", "-o", "-").done();
+    CliRun off = CliRun.withInput(result.out(), "convert", "-", "-o", "-", "--to", "off").done();
+    assertThat(off.out()).startsWith("OFF\n4 2 0\n");
+    CliRun json = CliRun.withInput(off.out(), "convert", "-", "-o", "-", "--to", "json").done();
+    assertThat(json.out()).contains("edgeList");
+    CliRun none = CliRun.withInput(square, "convert", "-", "-o", "-", "--to", "ele");
+    assertThat(none.status()).isEqualTo(1);
+    assertThat(none.err()).contains("-: it holds a triangulation, and there is none");
+    assertThat(none.out()).isEmpty();
+  }
+
+  @Test
   void convert_takes_points_that_are_no_polygon_and_adds_no_kind() {
     CliRun run = CliRun.withInput("0;0\n4;4\n4;0\n0;4", "convert", "-", "-o", "-").done();
     assertThat(run.out()).isEqualTo("0 0\n4 4\n4 0\n0 4\n");

@@ -9,10 +9,10 @@ import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
+import dct.io.FileEnding;
 import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
-import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -85,9 +85,9 @@ class FigureTest {
   @Test
   void tex_is_warned_of_above_so_many_edges() {
     Scene many = scene(RandomSites.uniform(1100, 1));
-    assertThat(PictureFile.warning(many, Path.of("a.tex")).orElseThrow()).contains("edges");
-    assertThat(PictureFile.warning(many, Path.of("a.pdf"))).isEmpty();
+    assertThat(PictureFile.warning(many, FileEnding.TEX).orElseThrow()).contains("edges");
+    assertThat(PictureFile.warning(many, FileEnding.PDF)).isEmpty();
     Scene few = scene(RandomSites.uniform(900, 1));
-    assertThat(PictureFile.warning(few, Path.of("a.tex"))).isEmpty();
+    assertThat(PictureFile.warning(few, FileEnding.TEX)).isEmpty();
   }
 }

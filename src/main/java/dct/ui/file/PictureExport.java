@@ -78,7 +78,7 @@ public final class PictureExport {
 
   /** Says what should be said before; whether to go on. */
   private boolean isMeant(Path file) {
-    return PictureFile.warning(canvas.scene(), file)
+    return PictureFile.warning(canvas.scene(), FileEnding.require(file, Content.PICTURE))
         .map(warning -> Ask.confirm(parent, TITLE, warning + ".", "Export"))
         .orElse(true);
   }
