@@ -1,9 +1,11 @@
 package dct.cli;
 
+import java.io.File;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -41,8 +43,20 @@ final class UsageSentence {
     }
     Collection<String> known = e.getCommandLine().getCommandSpec().optionsMap().keySet();
     String name = nameIn(word);
+    Optional<String> file = fileIn(List.of(word));
+    if (file.isPresent()) {
+      return word + " is no option of " + command + file.get();
+    }
     String cure = e.getCommandLine().getParent() == null ? ", a verb comes first" : "";
     return name + " is no option of " + command + Spelling.hint(name, known) + cure;
+  }
+
+  /** What to write for a file that looks like an option, if there is one. */
+  private static Optional<String> fileIn(List<String> arguments) {
+    return arguments.stream()
+        .filter(argument -> argument.startsWith("-") && FileArguments.isFile(argument))
+        .findFirst()
+        .map(file -> "; for the file of this name write ." + File.separator + file);
   }
 
   private static String nameIn(String argument) {
@@ -62,7 +76,9 @@ final class UsageSentence {
   private static String missing(MissingParameterException e, List<String> arguments) {
     ArgSpec missing = e.getMissing().get(0);
     if (!(missing instanceof OptionSpec option)) {
-      return missing.paramLabel().replace("|", " or ") + " is missing";
+      return missing.paramLabel().replace("|", " or ")
+          + " is missing"
+          + fileIn(arguments).orElse("");
     }
     return arguments.stream().anyMatch(List.of(option.names())::contains)
         ? name(option) + " needs a value: " + option.paramLabel().replace("|", " or ")

@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
 import dct.io.format.Format;
+import dct.io.format.SeveralShapes;
 import dct.io.format.Shapes;
 import dct.io.text.BadInputException;
 import dct.problem.Solution;
@@ -57,11 +58,15 @@ public final class ClaimsFile {
     if (shapes.shapes().stream().noneMatch(shape -> shape.faces().isPresent())) {
       throw none(shapes);
     }
-    Solution solution =
-        ChosenShape.of(name, shapes, format.yUp(), choice, progress)
-            .solution(progress)
-            .orElseThrow(() -> none(shapes));
-    return ResultJson.claims(solution).withoutLines();
+    try {
+      Solution solution =
+          ChosenShape.of(name, shapes, format.yUp(), choice, progress)
+              .solution(progress)
+              .orElseThrow(() -> none(shapes));
+      return ResultJson.claims(solution).withoutLines();
+    } catch (SeveralShapes several) {
+      throw SeveralShapes.mustChoose(name, several.shapes());
+    }
   }
 
   private BadInputException none(Shapes shapes) {

@@ -94,8 +94,15 @@ final class FaceReading {
       checkCount(solution.triangulation());
       return solution;
     } catch (FalseClaim lie) {
-      throw none(lie.line(), lie.getMessage());
+      throw incomplete(lie.line(), lie.getMessage());
     }
+  }
+
+  /** Where there are several rims it says so. */
+  private NoTriangulation incomplete(int line, String why) {
+    int rims = faces.rim().rings().size();
+    String holes = " rims, and triangulations with holes are not read yet";
+    return none(line, rims > 1 ? why + ", as at a hole: there are " + rims + holes : why);
   }
 
   private Claims claims() {
@@ -108,7 +115,7 @@ final class FaceReading {
     for (int edge = 0; edge < edges.size() && faces.count() > 0; edge++) {
       boolean single = edges.kind(edge) == EdgeKind.BOUNDARY;
       if (single && !made.dcel().isBoundary(edge)) {
-        throw none(edges.line(edge), "on one side of an edge of this triangle is none");
+        throw incomplete(edges.line(edge), "on one side of an edge of this triangle is none");
       }
     }
   }

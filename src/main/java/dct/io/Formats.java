@@ -20,6 +20,7 @@ import dct.io.format.wkt.WktFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** The formats that shapes are read from; the first that fits a file's start is taken. */
 public final class Formats {
@@ -38,15 +39,23 @@ public final class Formats {
           new EleFormat(),
           new EdgeFormat(),
           new SvgFormat(),
-          new IpeFormat(),
-          new OtherXml());
+          new IpeFormat());
+  private static final Format OTHER_XML = new OtherXml(); // of which nothing is read
   private static final Format PLAIN = new PlainFormat();
 
   private Formats() {}
 
+  /** What lists call the formats of other programs that are read, each once. */
+  public static List<String> titles() {
+    return FOREIGN.stream().map(Format::title).distinct().toList();
+  }
+
   /** The format of a file that starts so; nothing if it is the program's own JSON. */
   static Optional<Format> of(Head head) {
-    Optional<Format> foreign = FOREIGN.stream().filter(format -> format.fits(head)).findFirst();
+    Optional<Format> foreign =
+        Stream.concat(FOREIGN.stream(), Stream.of(OTHER_XML))
+            .filter(format -> format.fits(head))
+            .findFirst();
     boolean isOwnJson = head.first() == '{' && !head.startsWith(NUMBER_IN_BRACE);
     return foreign.isPresent() || isOwnJson ? foreign : Optional.of(PLAIN);
   }

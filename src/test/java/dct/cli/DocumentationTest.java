@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.experiment.generate.PolygonShape;
 import dct.experiment.generate.SiteShape;
+import dct.io.FileEnding;
+import dct.io.FileEnding.Content;
+import dct.io.Formats;
 import dct.testing.Markdown;
 import dct.testing.Markdown.Shell;
 import java.io.IOException;
@@ -28,6 +31,7 @@ class DocumentationTest {
   private static final String PROGRAM = "java -jar target/dct.jar ";
   private static final Pattern OPTION = Pattern.compile("(?<= )(--[a-z-]+|-[a-z])(?=[ =]|$)");
   private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)\\)");
+  private static final Pattern WRITTEN = Pattern.compile("`(\\.[a-z.]+)`");
   private static final Pattern ENDING = Pattern.compile("(?<=[\\s`])(\\.[a-z]+)+(?=[,;`\\s])");
   private static final Pattern CLASS =
       Pattern.compile("`([A-Z][a-z][A-Za-z0-9]*)(?:\\.[A-Za-z0-9]+)?`");
@@ -115,6 +119,38 @@ class DocumentationTest {
     String outputs = readme.substring(readme.indexOf("`-o` writes"), readme.indexOf("`--json`"));
     String help = CliRun.of("triangulate", "--help").out();
     assertThat(endings(outputs)).isEqualTo(endings(help.substring(help.indexOf("--output="))));
+  }
+
+  /** A row has what the format is, what is read, what is written, and what is lost. */
+  private static List<List<String>> formatTable() throws IOException {
+    return Files.readString(Path.of("README.md"))
+        .lines()
+        .dropWhile(line -> !line.startsWith("| Format |"))
+        .skip(2)
+        .takeWhile(line -> line.startsWith("|"))
+        .map(line -> Arrays.stream(line.split("\\|", -1)).map(String::strip).toList())
+        .map(cells -> cells.subList(1, cells.size() - 1))
+        .toList();
+  }
+
+  @Test
+  void theReadmesTableHasEveryFormatThatIsReadOrWritten() throws IOException {
+    List<List<String>> rows = formatTable();
+    assertThat(rows).isNotEmpty().allSatisfy(row -> assertThat(row).hasSize(4).doesNotContain(""));
+    for (String title : Formats.titles()) {
+      assertThat(rows)
+          .as(title)
+          .anyMatch(
+              row -> row.get(0).matches(".*\\b" + title + "\\b.*") && !row.get(1).equals("–"));
+    }
+    Set<String> written = new TreeSet<>();
+    rows.forEach(row -> written.addAll(groups(WRITTEN, row.get(2))));
+    assertThat(written)
+        .containsExactlyInAnyOrder(
+            Arrays.stream(FileEnding.values())
+                .filter(e -> e.holds(Content.POINTS, Content.TRIANGULATION, Content.PICTURE))
+                .map(FileEnding::dotted)
+                .toArray(String[]::new));
   }
 
   private static String quoted(Stream<String> words) {

@@ -64,6 +64,19 @@ class MeshCommandsTest {
   }
 
   @Test
+  void one_of_several_triangulations_has_to_be_chosen() throws IOException {
+    Path two =
+        Files.writeString(
+            folder.resolve("two.json"),
+            "{\"content_type\": \"CGSHOP2026_Instance\", \"points_x\": [0,4,4,0],"
+                + " \"points_y\": [0,0,4,4], \"triangulations\": [[[0,2]],[[1,3]]]}");
+    assertThat(CliRun.of("verify", two).err())
+        .startsWith(two + ": CG:SHOP with 2 shapes; choose one by --pick N\n")
+        .contains("2: triangulation 2, 4 sites, triangulated");
+    assertThat(CliRun.of("verify", two, "--pick", 2).done().out()).contains("verified");
+  }
+
+  @Test
   void a_file_of_points_alone_cannot_be_verified() {
     CliRun run = CliRun.of("verify", folder.resolve("m.node"));
     assertThat(run.status()).isEqualTo(3);

@@ -73,6 +73,9 @@ class MeshAndTourTest {
         .containsExactly(
             "z differs from vertex to vertex and is left out",
             "2 faces are left out, their vertices are read as sites");
+    assertThat(read("OFF\n5 2 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n6 2 0\n4 0 1 2 3\n3 1 4 2\n").notes())
+        .containsExactly(
+            "2 faces, not all of them triangles, are left out, their vertices are read as sites");
   }
 
   @Test

@@ -8,14 +8,24 @@ public final class SeveralShapes extends UnclearInput {
 
   /** Says how many there are and how to choose. */
   public SeveralShapes(String file, Shapes shapes) {
+    this(file, shapes, ", or read all as sites by --as points");
+  }
+
+  private SeveralShapes(String file, Shapes shapes, String orElse) {
     super(
         file,
         0,
         shapes.format()
             + " with "
             + shapes.shapes().size()
-            + " shapes; choose one by --pick N, or read all as sites by --as points");
+            + " shapes; choose one by --pick N"
+            + orElse);
     this.shapes = shapes;
+  }
+
+  /** The same where one of them has to be chosen. */
+  public static SeveralShapes mustChoose(String file, Shapes shapes) {
+    return new SeveralShapes(file, shapes, "");
   }
 
   /** What there is to choose from. */

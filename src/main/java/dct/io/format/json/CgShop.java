@@ -37,6 +37,7 @@ final class CgShop {
       Set.of("points", "outer_boundary", "polygons", "triangulations");
   private static final Set<String> LISTS =
       Set.of("points_x", "points_y", "region_boundary", "steiner_points_x", "steiner_points_y");
+  private static final Set<String> MOTION = Set.of("starts", "targets", "steps");
   private static final Set<String> NUMBERS = Set.of("edges", "edge_i", "edge_j");
 
   private final JsonScanner scanner;
@@ -45,6 +46,7 @@ final class CgShop {
   private final Map<String, Integer> lines = new HashMap<>(); // where the lists end
   private final Set<String> left = new HashSet<>(); // lists of numbers of points or edges
   private String instance = "";
+  private boolean isMotion; // of robots: the challenge of 2021
 
   CgShop(JsonScanner scanner) {
     this.scanner = scanner;
@@ -61,6 +63,9 @@ final class CgShop {
       put(field, scanner.nestedOrNumbers().map(found -> found.numbers).orElse(new double[0]));
     } else if (isArray && NUMBERS.contains(field)) {
       left.add(field);
+      scanner.json.skipValue();
+    } else if (isArray && MOTION.contains(field)) {
+      isMotion = true;
       scanner.json.skipValue();
     } else if (field.equals("instance") && scanner.json.peek() == JsonToken.STRING) {
       instance = scanner.json.nextString();
@@ -103,6 +108,11 @@ final class CgShop {
     rings(Shape.Kind.RING, "polygons", shapes);
     if (shapes.isEmpty()) {
       rings(Shape.Kind.SITES, "points", shapes);
+    }
+    if (shapes.isEmpty() && isMotion) {
+      throw scanner.fault(
+          "this is CG:SHOP 2021, robots that move on a grid, and nothing to triangulate; open a"
+              + " file of another year");
     }
     if (shapes.isEmpty() && SOLUTION.matcher(type).matches()) {
       throw withoutPoints(name);

@@ -32,6 +32,8 @@ public final class JsonFormat implements Format {
     return (head.first() == '{' && CHALLENGE.matcher(head.text()).find())
         || (head.first() == '{' && VERTICES.matcher(head.text()).find())
         || head.hasField("steiner_points_x")
+        || head.hasField("starts")
+        || (head.hasField("steps") && head.hasField("instance"))
         || head.hasField("instance_name")
         || head.hasField("coordinates")
         || head.hasField("features")

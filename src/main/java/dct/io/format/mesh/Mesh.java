@@ -123,7 +123,8 @@ final class Mesh {
       return List.of(Triangulated.shape("", vertices, triangles));
     }
     if (faces > 1) {
-      notes.add(faces + " faces are left out, their vertices are read as sites");
+      String which = triangles.size() < faces ? ", not all of them triangles," : "";
+      notes.add(faces + " faces" + which + " are left out, their vertices are read as sites");
       return List.of(Shape.of(Shape.Kind.SITES, "", vertices));
     }
     return List.of(Shape.of(Shape.Kind.POINTS, "", vertices));

@@ -32,6 +32,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files of the challenge CG:SHOP; an apostrophe stands for a quotation mark. */
 class CgShopTest {
@@ -116,6 +117,19 @@ class CgShopTest {
     assertThat(fault(text, Choice.NONE))
         .isEqualTo(
             "in:1: a solution of CG:SHOP without points of its own; open its instance " + instance);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{'meta':{},'name':'s','starts':[[0,0],[1,1]],'targets':[[2,1],[0,3]],'obstacles':[]}",
+        "{'instance':'s','steps':[{'0':'E'},{'1':'N'}]}",
+      })
+  void robots_that_move_are_no_points(String text) {
+    assertThat(fault(text, Choice.NONE))
+        .isEqualTo(
+            "in:1: this is CG:SHOP 2021, robots that move on a grid, and nothing to triangulate;"
+                + " open a file of another year");
   }
 
   @Test
