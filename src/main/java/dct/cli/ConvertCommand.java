@@ -20,14 +20,16 @@ final class ConvertCommand extends Verb {
       outputs(
           false,
           "Where to: "
-              + endings()
+              + Output.endings()
               + "; - is standard output, text if --to says nothing else. May repeat.");
   private final OptionSpec to =
       option(
           "--to",
           "FORMAT",
-          formats(),
-          "The format, whatever the ending of OUTPUT: " + String.join(", ", formats()) + ".");
+          Output.formats(),
+          "The format, whatever the ending of OUTPUT: "
+              + String.join(", ", Output.formats())
+              + ".");
   private final OptionSpec list =
       flag("--list", "List the shapes in the input, as --pick numbers them, instead.");
 
@@ -70,10 +72,10 @@ final class ConvertCommand extends Verb {
     if (format == null) {
       return outputsOf(output);
     }
-    if (!formats().contains(format)) {
-      throw UsageException.unknown("--to", format, formats());
+    if (!Output.formats().contains(format)) {
+      throw UsageException.unknown("--to", format, Output.formats());
     }
-    Optional<FileEnding> ending = Optional.of(ending("." + format));
+    Optional<FileEnding> ending = Optional.of(Output.ending("." + format));
     return namesOf(output).stream().map(name -> new Output(name, ending)).toList();
   }
 

@@ -53,7 +53,7 @@ final class GenerateCommand extends Verb {
       outputs(
           false,
           "Where to: "
-              + endings()
+              + Output.endings()
               + "; - is text on standard output, which is the default."
               + " May repeat.");
 

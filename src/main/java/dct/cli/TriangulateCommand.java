@@ -37,7 +37,7 @@ final class TriangulateCommand extends Verb {
       outputs(
           false,
           "Where to: "
-              + endings()
+              + Output.endings()
               + "; .json is the whole result, and so is - on standard output. May repeat.");
   private final PictureParameters picture = new PictureParameters(this);
   private final OptionSpec json = flag("--json", "Print the summary as one JSON object.");

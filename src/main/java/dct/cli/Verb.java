@@ -2,8 +2,6 @@ package dct.cli;
 
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
-import dct.io.FileEnding;
-import dct.io.FileEnding.Content;
 import dct.io.FileNames;
 import dct.problem.Solution;
 import java.util.Arrays;
@@ -35,10 +33,7 @@ abstract class Verb implements Callable<Integer> {
           "help",
           "completion");
 
-  static final String STANDARD_STREAM = "-";
-  private static final Content[] CONTENTS = {
-    Content.POINTS, Content.TRIANGULATION, Content.PICTURE
-  };
+  static final String STANDARD_STREAM = Output.STREAM;
 
   private final Console console;
   private final CommandSpec spec = CommandSpec.wrapWithoutInspection(this);
@@ -230,26 +225,5 @@ abstract class Verb implements Callable<Integer> {
             throw new UsageException(sentence);
           });
     }
-  }
-
-  /** The words for the formats of all outputs that are no files of a study. */
-  static List<String> formats() {
-    return List.of(FileEnding.extensions(CONTENTS));
-  }
-
-  /** The endings of all outputs that are no files of a study, for messages. */
-  static String endings() {
-    return FileEnding.list(CONTENTS);
-  }
-
-  /**
-   * The ending of an output of this name.
-   *
-   * @throws UsageException if it is no format
-   */
-  static FileEnding ending(String name) {
-    return FileEnding.of(name, CONTENTS)
-        .orElseThrow(
-            () -> new UsageException("the ending of " + name + " is no format, use " + endings()));
   }
 }
