@@ -29,12 +29,6 @@ public record Notes(boolean legend, Corner counts, Corner coordinates, Corner ke
   private static final int LINES_OF_FLIPS = 2; // before and after
   private static final double NEAR = 6; // pixels; dots reach so far
 
-  /**
-   * Pixels that are free before a note comes back; fitted with room for flips, a drawing leaves one
-   * more below one line of counts.
-   */
-  private static final double AROUND = 34;
-
   private static final double BACK = 12; // pixels that are free before one is no longer away
 
   /** What is written in a corner. */
@@ -74,17 +68,33 @@ public record Notes(boolean legend, Corner counts, Corner coordinates, Corner ke
   public Notes placed(Scene scene, Viewport view, Box screen) {
     Search search = new Search(scene, view, Caption.room(screen));
     List<String> lines = Caption.folded(scene.counts(), screen);
-    double height = Caption.height(Math.max(1, lines.size()));
-    Corner first = search.corner(Note.COUNTS, counts, Caption.width(lines), height);
+    int count = Math.max(1, lines.size());
+    Corner first =
+        search.corner(
+            Note.COUNTS, counts, Caption.width(lines), Caption.height(count), around(count));
     Corner second =
-        search.corner(Note.COORDINATES, coordinates, Caption.width(COORDINATES), Caption.height(1));
+        search.corner(
+            Note.COORDINATES,
+            coordinates,
+            Caption.width(COORDINATES),
+            Caption.height(1),
+            around(1));
     Legend shown = new Legend(scene);
     Corner third =
         legend && !shown.isEmpty()
-            ? search.corner(Note.LEGEND, key, shown.width(), shown.height())
+            ? search.corner(Note.LEGEND, key, shown.width(), shown.height(), around(1))
             : key;
     boolean known = search.away.isEmpty() || scene.isAtHand();
     return known ? new Notes(legend, first, second, third, search.away) : this;
+  }
+
+  /**
+   * Pixels that are free before a note of so many lines comes back: fitted with room for flips, a
+   * drawing leaves one more below them.
+   */
+  private static double around(int lines) {
+    double room = Caption.height(Math.max(LINES_OF_FLIPS, lines));
+    return room - Caption.height(lines) + ScenePainter.FIT_GAP - 1;
   }
 
   /** Whether each has room in a corner of this picture. */
@@ -169,11 +179,15 @@ public record Notes(boolean legend, Corner counts, Corner coordinates, Corner ke
       drawn = scene.bounds().map(view::screenBox);
     }
 
-    /** Takes a corner for a note of this size that was in this one, or finds that none has room. */
-    Corner corner(Note note, Corner now, double width, double height) {
+    /**
+     * Takes a corner for a note of this size that was in this one, or finds that none has room.
+     *
+     * @param around what is free before it comes back
+     */
+    Corner corner(Note note, Corner now, double width, double height, double around) {
       double near = Notes.this.away.contains(note) ? BACK : NEAR;
       Optional<Corner> corner =
-          isClear(note.own, width, height, AROUND)
+          isClear(note.own, width, height, around)
               ? Optional.of(note.own)
               : Stream.concat(Stream.of(now, note.own), Arrays.stream(Corner.values()))
                   .filter(at -> isClear(at, width, height, near))

@@ -18,7 +18,7 @@ public final class ScenePainter {
   private static final double LARGEST_DOT = 4.5;
   private static final double SMALLEST_DOT = 0.6;
   private static final double FIT_MARGIN = 40;
-  private static final double FIT_GAP = 16; // room for rings and labels below the counts
+  static final double FIT_GAP = 16; // room for rings and labels below the counts
   private static final double DEFECT_RING = 10;
   private static final double REACH = 14; // how far a line, dot or ring reaches from its place
   private static final double HIDDEN = 2; // dots at both ends cover edges of so many radii

@@ -12,7 +12,11 @@ import dct.core.geometry.Box;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Domain;
 import dct.experiment.generate.RandomSites;
+import dct.problem.Instance;
+import dct.problem.Method;
+import dct.problem.Solution;
 import dct.render.RecordingPen.Shape;
 import java.util.List;
 import java.util.Set;
@@ -91,6 +95,23 @@ class NotesTest {
     Notes moved =
         new Notes(false, Corner.LOWER_RIGHT, Corner.UPPER_RIGHT, Corner.LOWER_LEFT, THESIS.away());
     assertThat(moved.placed(square, fitted, SCREEN)).isEqualTo(THESIS);
+  }
+
+  @Test
+  void countsBeforeAndAfterFlipsComeBackToTheirCornerOfAFittedDrawing() {
+    Points points = Points.ofPairs(0, 0, 900, 10, 880, 500, 10, 640, 500, 300);
+    Solution flipped =
+        Solution.of(
+                Instance.of(Domain.SITES, "a", points, Progress.NONE),
+                Method.DELAUNAY,
+                Progress.NONE)
+            .flipped(Progress.NONE);
+    Scene scene = Scene.of(flipped);
+    assertThat(scene.counts()).hasSize(2);
+    Viewport fitted = THESIS.fittedForFlips(scene, 1000, 700, false);
+    Notes moved =
+        new Notes(false, Corner.LOWER_RIGHT, Corner.UPPER_LEFT, Corner.LOWER_LEFT, THESIS.away());
+    assertThat(moved.placed(scene, fitted, SCREEN).counts()).isEqualTo(Corner.UPPER_RIGHT);
   }
 
   @Test
