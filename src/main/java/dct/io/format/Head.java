@@ -22,6 +22,11 @@ public record Head(String text) {
     return new Head(new String(bytes, StandardCharsets.UTF_8).stripLeading());
   }
 
+  /** Whether the file may go on behind the text; so says its length. */
+  public boolean isCut() {
+    return text.length() > LENGTH / 2;
+  }
+
   /** The first character; 0 if there is none. */
   public char first() {
     return text.isEmpty() ? 0 : text.charAt(0);

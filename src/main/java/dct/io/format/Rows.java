@@ -6,25 +6,31 @@ import dct.io.text.ByteLines;
 import dct.io.text.Shown;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
+import java.util.AbstractList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
  * The lines of a file as words parted by blanks, without comments of {@code #} and lines that are
- * empty then. A line longer than {@value ByteLines#LONGEST} bytes is refused.
+ * empty then. A line longer than 16 MiB is refused: a face of some two million corners is as long.
  */
 public final class Rows {
+  private static final int LONGEST = 1 << 24;
+
   private final String name;
   private final ByteLines lines;
-  private List<String> words = List.of();
+  private final List<String> words = new Words();
+  private int[] places = new int[16]; // of each word in the line: its start, and the end behind it
+  private int size; // how many words there are
 
   /** The rows of an input, before the first of them. */
   public Rows(Input input) throws IOException {
     name = input.name();
-    lines = new ByteLines(input.in());
+    lines = new ByteLines(input.in(), LONGEST);
   }
 
   /** The lines of a file's start that hold more than a comment. */
@@ -48,10 +54,10 @@ public final class Rows {
   /** Goes to the next row, if there is one. */
   public boolean next() throws IOException {
     while (lines.next()) {
-      words = split();
       if (lines.isCut()) {
-        throw fault("the line is longer than " + ByteLines.LONGEST + " bytes; break it");
+        throw fault("the line is longer than 16 MiB; break it");
       }
+      split();
       if (!words.isEmpty()) {
         return true;
       }
@@ -107,8 +113,8 @@ public final class Rows {
     }
   }
 
-  private List<String> split() {
-    List<String> found = new ArrayList<>();
+  private void split() {
+    size = 0;
     byte[] bytes = lines.bytes();
     int i = lines.start();
     while (i < lines.end() && bytes[i] != '#') {
@@ -117,17 +123,39 @@ public final class Rows {
         i++;
       }
       if (i > from) {
-        found.add(new String(bytes, from, i - from, StandardCharsets.UTF_8));
+        place(from, i);
       } else {
         i++;
       }
     }
-    return found;
   }
 
-  /** The words of the row. */
+  private void place(int from, int to) {
+    if (2 * size == places.length) {
+      places = Arrays.copyOf(places, Math.multiplyExact(2, places.length));
+    }
+    places[2 * size] = from;
+    places[2 * size + 1] = to;
+    size++;
+  }
+
+  /** The words of the row, until the next one. */
   public List<String> words() {
     return words;
+  }
+
+  /** Strings that are made when they are asked for, since a row can have millions of words. */
+  private final class Words extends AbstractList<String> {
+    @Override
+    public String get(int i) {
+      int from = places[2 * Objects.checkIndex(i, size)];
+      return new String(lines.bytes(), from, places[2 * i + 1] - from, StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public int size() {
+      return size;
+    }
   }
 
   /** The line of the row, from 1 on; at the end of the file its last line. */

@@ -2,19 +2,21 @@ package dct.io.text;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Arrays;
 
 /**
  * The lines of a stream of bytes, one at a time, without a string for each.
  *
  * <p>A line ends with LF, CR LF, CR or the stream. A byte-order mark of UTF-8 is skipped. A line
- * may be {@value #LONGEST} bytes long; of a longer one that much is given and {@link #isCut} says
- * so.
+ * may be {@value #LONGEST} bytes long, or as long as is said; of a longer one that much is given
+ * and {@link #isCut} says so.
  */
 public final class ByteLines {
   public static final int LONGEST = 1 << 16;
 
   private final InputStream in;
-  private final byte[] buffer = new byte[LONGEST];
+  private final int longest;
+  private byte[] buffer = new byte[LONGEST];
   private int start; // of the current line
   private int end; // of the current line, without its end mark
   private int next; // where the next line starts
@@ -23,8 +25,15 @@ public final class ByteLines {
   private boolean afterCr;
   private boolean cut;
 
+  /** The lines of a stream. */
   public ByteLines(InputStream in) throws IOException {
+    this(in, LONGEST);
+  }
+
+  /** The lines of a stream, which may be so many bytes long, {@value #LONGEST} or more. */
+  public ByteLines(InputStream in, int longest) throws IOException {
     this.in = in;
+    this.longest = longest;
     while (filled < 3 && fill()) {
       // a byte-order mark is looked for in the first three bytes
     }
@@ -93,12 +102,15 @@ public final class ByteLines {
     }
   }
 
-  /** Moves what has not been given out to the front; false if it fills the whole buffer. */
+  /** Moves what has not been given out to the front; false if that is as long as may be. */
   private boolean makeRoom() {
     System.arraycopy(buffer, start, buffer, 0, filled - start);
     filled -= start;
     next -= start;
     start = 0;
+    if (filled == buffer.length && filled < longest) {
+      buffer = Arrays.copyOf(buffer, (int) Math.min(longest, 2L * filled));
+    }
     cut = filled == buffer.length;
     return !cut;
   }
@@ -145,7 +157,7 @@ public final class ByteLines {
     return number;
   }
 
-  /** Whether the current line is longer than {@link #LONGEST}. */
+  /** Whether the current line is longer than it may be. */
   public boolean isCut() {
     return cut;
   }

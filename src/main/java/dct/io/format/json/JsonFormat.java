@@ -13,6 +13,10 @@ public final class JsonFormat implements Format {
       Pattern.compile("\\[\\s*([-+.0-9{]|\\[\\s*([-+.0-9{\\[]|$))");
   private static final Pattern OBJECTS = Pattern.compile("\"points\"\\s*:\\s*\\[\\s*\\{");
 
+  private static final Pattern GEOJSON =
+      Pattern.compile(
+          "\"type\"\\s*:\\s*\"(Feature(Collection)?|GeometryCollection|(Multi)?(Point|LineString|"
+              + "Polygon))\"");
   private static final Pattern CHALLENGE = Pattern.compile("(?i)\"type\"\\s*:\\s*\"[^\"]*CG_?SHOP");
 
   private static final Pattern VERTICES = Pattern.compile("\"vertices\"\\s*:\\s*\\[");
@@ -29,7 +33,8 @@ public final class JsonFormat implements Format {
   }
 
   private static boolean isForeign(Head head) {
-    return (head.first() == '{' && CHALLENGE.matcher(head.text()).find())
+    return (head.first() == '{' && GEOJSON.matcher(head.text()).find())
+        || (head.first() == '{' && CHALLENGE.matcher(head.text()).find())
         || (head.first() == '{' && VERTICES.matcher(head.text()).find())
         || head.hasField("steiner_points_x")
         || head.hasField("starts")

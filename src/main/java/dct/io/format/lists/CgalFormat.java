@@ -30,12 +30,20 @@ public final class CgalFormat implements Format {
   @Override
   public boolean fits(Head head) {
     List<String[]> lines = Rows.of(head).map(line -> line.split("\\s+")).toList();
+    if (lines.size() == 1 && head.isCut()) {
+      return isStart(lines.get(0));
+    }
     boolean isCut = lines.size() > 1 && !head.text().endsWith("\n");
     List<String[]> complete = isCut ? lines.subList(0, lines.size() - 1) : lines;
     return !lines.isEmpty()
         && isPolygon(lines.get(0))
         && (complete.stream().allMatch(CgalFormat::isPolygon)
             || complete.stream().anyMatch(line -> line.length != lines.get(0).length));
+  }
+
+  /** Whether it can be the start of a line that begins with a count, which is not reached. */
+  private static boolean isStart(String[] words) {
+    return COUNT.matcher(words[0]).matches() && 2L * Integer.parseInt(words[0]) > words.length - 2;
   }
 
   private static boolean isPolygon(String[] words) {
