@@ -7,6 +7,7 @@ import dct.ui.canvas.CanvasPanel;
 import dct.ui.result.ResultView;
 import dct.ui.solve.ResultFrame;
 import java.awt.Component;
+import java.awt.Frame;
 import java.awt.Point;
 import java.awt.event.WindowEvent;
 import java.util.List;
@@ -50,6 +51,33 @@ class ViewsWindowTest extends WindowTest {
     zoomIn(old.canvas());
     assertThat(scale(flipped.canvas())).isEqualTo(before);
     assertThat(scale(old.canvas())).isGreaterThan(before);
+  }
+
+  @Test
+  void resultsThatTheWindowCoversComeBackToTheFrontAndSoDoesTheDrawing() {
+    draw();
+    ResultFrame old = pushForResult("Monotone Polygon Triangulation");
+    ResultFrame flipped = pushForResult("Perform Flip");
+    onEventThread(
+        () -> {
+          old.setExtendedState(Frame.ICONIFIED);
+          return null;
+        });
+    perform("Results to Front");
+    await("no icon is left", () -> onEventThread(() -> old.getExtendedState() == Frame.NORMAL));
+    onEventThread(
+        () -> {
+          window.setExtendedState(Frame.ICONIFIED);
+          flipped.commands().get("Drawing to Front").perform();
+          return null;
+        });
+    await(
+        "the drawing is back",
+        () -> onEventThread(() -> window.getExtendedState() == Frame.NORMAL));
+    perform("Clear Canvas");
+    perform("Results in This Window");
+    assertThat(onEventThread(() -> window.commands().get("Results to Front").isEnabled()))
+        .isFalse();
   }
 
   @Test

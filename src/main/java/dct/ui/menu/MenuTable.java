@@ -35,6 +35,7 @@ public final class MenuTable {
           "Views as Tabs",
           "Move View Left",
           "Move View Right",
+          "Results to Front",
           LINE,
           "Link Views",
           LINE,
@@ -63,7 +64,7 @@ public final class MenuTable {
           "Vertex Numbers",
           "Legend");
 
-  private static final Plan VIEW = view("Flips", LINE);
+  private static final Plan VIEW = view("Drawing to Front", LINE, "Flips", LINE);
 
   private static final Plan REPLAY =
       Plan.of(
@@ -195,7 +196,7 @@ public final class MenuTable {
       List.of(
           PICTURE_FILE,
           Plan.of("Edit", COPY_PICTURE),
-          view(),
+          view("Drawing to Front", LINE),
           Plan.of("Help", "Commands and Keys", "Find Command…"));
 
   private MenuTable() {}

@@ -12,6 +12,7 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.Dimension;
+import java.awt.Frame;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -173,7 +174,13 @@ public final class FrameHost implements ViewHost {
   public void toFront(ResultView view) {
     ResultFrame frame = frames.get(view);
     frame.setVisible(true);
-    frame.toFront();
+    toFront(frame);
     view.canvas().requestFocusInWindow();
+  }
+
+  /** Brings a window to the front, also where it is but an icon. */
+  static void toFront(JFrame window) {
+    window.setExtendedState(window.getExtendedState() & ~Frame.ICONIFIED);
+    window.toFront();
   }
 }

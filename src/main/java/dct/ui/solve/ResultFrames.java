@@ -228,6 +228,13 @@ public final class ResultFrames {
     host.showAll(pictures);
   }
 
+  /** Brings all views that are shown to the front; whether there are any. */
+  boolean bringForward() {
+    List<ResultView> shown = all.stream().filter(host::isShown).toList();
+    shown.forEach(host::toFront);
+    return !shown.isEmpty();
+  }
+
   /** Brings the view of a result to the front; opens one if there is none. */
   void bringForward(Result result) {
     Optional<ResultView> shown =

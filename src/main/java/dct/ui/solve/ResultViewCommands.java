@@ -50,11 +50,28 @@ public final class ResultViewCommands {
 
   /** Offers the commands to the window and to all views to come. */
   public void offer() {
-    offer(main);
-    results.setCommands(this::offer);
+    offer(main, "F6");
+    results.setCommands(this::offerToView);
   }
 
-  private void offer(CommandRegistry commands) {
+  private void offerToView(CommandRegistry commands) {
+    offer(commands, "");
+    commands
+        .add(
+            "Drawing to Front",
+            "F6",
+            "Brings the window with the drawing to the front, and Results to Front brings them"
+                + " back",
+            this::bringDrawingForward)
+        .enabledWhen(() -> !results.isInWindow());
+  }
+
+  private void bringDrawingForward() {
+    FrameHost.toFront(owner);
+    canvas.requestFocusInWindow();
+  }
+
+  private void offer(CommandRegistry commands, String keyOfResults) {
     commands
         .add(
             "Results in This Window",
@@ -63,6 +80,13 @@ public final class ResultViewCommands {
             () -> turn(() -> results.setInWindow(!results.isInWindow())))
         .selectedWhen(results::isInWindow);
     offerArrangement(commands);
+    commands
+        .add(
+            "Results to Front",
+            keyOfResults,
+            "Brings the frames of all results to the front, which the window may cover",
+            this::bringResultsForward)
+        .enabledWhen(() -> !results.isInWindow());
     commands
         .add(
             "Link Views",
@@ -117,6 +141,12 @@ public final class ResultViewCommands {
             "Exchanges the view in use within this window with the one " + where + " it",
             () -> turn(() -> results.move(places)))
         .enabledWhen(() -> results.canMove(places));
+  }
+
+  private void bringResultsForward() {
+    if (!results.bringForward()) {
+      workbench.say("There are no frames of results; make one by Triangulate");
+    }
   }
 
   /** Turns a switch that other windows show, too. */
@@ -177,7 +207,7 @@ public final class ResultViewCommands {
             .filter(shown -> shown.triangulation().equals(result.solution().triangulation()))
             .isPresent();
     if (inCanvas) {
-      owner.toFront();
+      FrameHost.toFront(owner);
     } else {
       results.bringForward(result);
     }
