@@ -73,6 +73,26 @@ public final class Ask {
     return chosen(parent, title, pane, answers);
   }
 
+  /**
+   * Asks by components that are to be filled in; Enter is OK.
+   *
+   * @param begin gives the first of them the focus
+   * @return whether OK was chosen
+   */
+  static boolean fill(Component parent, String title, Component content, Runnable begin) {
+    JOptionPane pane =
+        new JOptionPane(content, JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void selectInitialValue() {
+            super.selectInitialValue(); // makes OK the button of the Enter key
+            begin.run();
+          }
+        };
+    return Integer.valueOf(JOptionPane.OK_OPTION).equals(show(parent, title, pane));
+  }
+
   private static int chosen(Component parent, String title, Pane pane, String... answers) {
     Object value = show(parent, title, pane);
     for (int i = 0; i < answers.length; i++) {
@@ -83,7 +103,7 @@ public final class Ask {
     return -1;
   }
 
-  private static Object show(Component parent, String title, Pane pane) {
+  private static Object show(Component parent, String title, JOptionPane pane) {
     JDialog dialog = pane.createDialog(parent, title);
     dialog.setVisible(true); // returns when it is closed
     dialog.dispose();

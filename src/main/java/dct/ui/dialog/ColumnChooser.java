@@ -11,9 +11,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
@@ -55,20 +53,7 @@ final class ColumnChooser {
   }
 
   private Optional<Choice> ask(Component parent, String title, Choice before) {
-    JOptionPane pane =
-        new JOptionPane(panel(), JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-          private static final long serialVersionUID = 1L;
-
-          @Override
-          public void selectInitialValue() {
-            super.selectInitialValue(); // makes OK the button of the Enter key
-            x.requestFocusInWindow();
-          }
-        };
-    JDialog dialog = pane.createDialog(parent, title);
-    dialog.setVisible(true); // returns when it is closed
-    dialog.dispose();
-    return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
+    return Ask.fill(parent, title, panel(), x::requestFocusInWindow)
         ? Optional.of(before.with(chosen()))
         : Optional.empty();
   }

@@ -3,8 +3,6 @@ package dct.ui.dialog;
 import java.awt.Component;
 import java.util.Locale;
 import javax.swing.JButton;
-import javax.swing.JDialog;
-import javax.swing.JOptionPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
@@ -26,21 +24,14 @@ public abstract class Form extends Fields {
   public final boolean show(Component parent, String title) {
     HeldKey.typesNothing(); // what follows is no longer known as the work of a key
     SwingUtilities.updateComponentTreeUI(this); // the look may have changed since it was made
-    JOptionPane pane =
-        new JOptionPane(this, JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-          private static final long serialVersionUID = 1L;
-
-          @Override
-          public void selectInitialValue() {
-            super.selectInitialValue(); // makes OK the button of the Enter key
-            first().selectAll();
-            first().requestFocusInWindow();
-          }
-        };
-    JDialog dialog = pane.createDialog(parent, title);
-    dialog.setVisible(true); // returns when it is closed
-    dialog.dispose();
-    return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+    return Ask.fill(
+        parent,
+        title,
+        this,
+        () -> {
+          first().selectAll();
+          first().requestFocusInWindow();
+        });
   }
 
   /**

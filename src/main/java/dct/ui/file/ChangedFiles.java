@@ -99,9 +99,7 @@ public final class ChangedFiles {
     Set<Path> files = new HashSet<>();
     seen.values().forEach(each -> files.add(each.origin.file().toAbsolutePath()));
     seen.forEach(this::look);
-    if (!files.isEmpty() || !seen.isEmpty()) {
-      watch.watch(files);
-    }
+    watch.watch(files); // also of none: it lets go of a folder that is no longer needed
   }
 
   private void look(Domain domain, Seen before) {
