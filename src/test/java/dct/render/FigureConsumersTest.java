@@ -1,6 +1,7 @@
 package dct.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
@@ -47,6 +48,10 @@ class FigureConsumersTest {
       Path file = folder.resolve("a." + ending);
       PictureFile.write(Scene.of(solution), figure, "sites", file, Progress.NONE);
     }
+    Figure whole =
+        new Figure(figure.size(), 1, true, Labels.NONE, true, true, false, figure.theme(), true);
+    Path tex = folder.resolve("whole.tex");
+    PictureFile.write(Scene.of(solution), whole, "sites", tex, Progress.NONE);
     ink = ink(folder.resolve("a.png"));
   }
 
@@ -134,5 +139,15 @@ class FigureConsumersTest {
         .contains("OK")
         .doesNotContain("Font Warning");
     assertThat(run("pdffonts", "page.pdf")).contains("CMR");
+  }
+
+  /** The class standalone is in a large package of TeX Live, which need not be there. */
+  @Test
+  void tex_compiles_the_document_of_its_own() throws Exception {
+    Process found = new ProcessBuilder("kpsewhich", "standalone.cls").start();
+    assumeThat(found.waitFor()).as("standalone.cls is installed").isZero();
+    run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "whole.tex");
+    assertThat(run("pdfinfo", "whole.pdf")).containsPattern("Page size: +238\\.11 x");
+    assertThat(run("pdftotext", "-layout", "whole.pdf", "-")).contains("Even", "degree");
   }
 }

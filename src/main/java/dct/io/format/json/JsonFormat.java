@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 public final class JsonFormat implements Format {
   private static final Pattern ARRAY =
       Pattern.compile("\\[\\s*([-+.0-9{]|\\[\\s*([-+.0-9{\\[]|$))");
-  private static final Pattern OBJECTS = Pattern.compile("\"points\"\\s*:\\s*\\[\\s*\\{");
+  private static final Pattern OBJECTS = Pattern.compile("\"points\"\\s*:\\s*(\\[\\s*)?\\{");
 
   private static final Pattern GEOJSON =
       Pattern.compile(
