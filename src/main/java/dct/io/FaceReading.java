@@ -1,6 +1,8 @@
 package dct.io;
 
 import dct.core.Progress;
+import dct.core.degree.FlipResult;
+import dct.core.degree.FlipWalk;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
@@ -92,10 +94,22 @@ final class FaceReading {
     try {
       Solution solution = Restoration.of(claims(), progress);
       checkCount(solution.triangulation());
-      return solution;
+      return faces.flips().isEmpty() ? solution : flipped(solution);
     } catch (FalseClaim lie) {
       throw incomplete(lie.line(), lie.getMessage());
     }
+  }
+
+  private Solution flipped(Solution solution) {
+    FlipWalk walk = new FlipWalk(solution.triangulation());
+    for (int[] edge : faces.flips()) {
+      walk.flip(edge[0], edge[1])
+          .ifPresent(
+              cause -> {
+                throw none(0, "flip " + (walk.flips() + 1) + " is impossible: " + cause);
+              });
+    }
+    return solution.withFlips(FlipResult.of(walk));
   }
 
   /** Where there are several rims it says so. */

@@ -61,27 +61,38 @@ public final class FlipWalk {
    *     is no edge v0–v2}
    */
   public Optional<String> flip(Flip flip) {
-    OptionalInt edge = edgeOf(flip);
-    if (edge.isEmpty()) {
-      return Optional.of("there is no edge " + flip.removed());
+    OptionalInt edge = edgeBetween(flip.u(), flip.v());
+    if (edge.isPresent() && Flip.obstacle(start.points(), dcel, 2 * edge.getAsInt()).isEmpty()) {
+      Flip possible = Flip.of(dcel, 2 * edge.getAsInt());
+      if (!possible.isSameAs(flip)) {
+        return Optional.of("the edge " + flip.removed() + " becomes " + possible.made());
+      }
     }
-    int e = 2 * edge.getAsInt();
-    Optional<Flip.Obstacle> obstacle = Flip.obstacle(start.points(), dcel, e);
-    if (obstacle.isPresent()) {
-      return obstacle.map(o -> "the edge " + flip.removed() + " " + o.clause());
-    }
-    Flip possible = Flip.of(dcel, e);
-    if (!possible.isSameAs(flip)) {
-      return Optional.of("the edge " + flip.removed() + " becomes " + possible.made());
-    }
-    flip(e >> 1);
-    return Optional.empty();
+    return flip(flip.u(), flip.v());
   }
 
-  private OptionalInt edgeOf(Flip flip) {
+  /**
+   * Flips the edge between two vertices, or says why that is impossible here.
+   *
+   * @return empty if it was flipped, or else the cause, as a clause for a person
+   */
+  public Optional<String> flip(int u, int v) {
+    String name = "v" + u + "–v" + v;
+    OptionalInt edge = edgeBetween(u, v);
+    if (edge.isEmpty()) {
+      return Optional.of("there is no edge " + name);
+    }
+    Optional<Flip.Obstacle> obstacle = Flip.obstacle(start.points(), dcel, 2 * edge.getAsInt());
+    if (obstacle.isEmpty()) {
+      flip(edge.getAsInt());
+    }
+    return obstacle.map(o -> "the edge " + name + " " + o.clause());
+  }
+
+  private OptionalInt edgeBetween(int u, int v) {
     int n = start.vertexCount();
-    boolean exist = Math.min(flip.u(), flip.v()) >= 0 && Math.max(flip.u(), flip.v()) < n;
-    int e = exist ? dcel.halfEdge(flip.u(), flip.v()) : Dcel.NONE;
+    boolean exist = Math.min(u, v) >= 0 && Math.max(u, v) < n;
+    int e = exist ? dcel.halfEdge(u, v) : Dcel.NONE;
     return e == Dcel.NONE ? OptionalInt.empty() : OptionalInt.of(e >> 1);
   }
 

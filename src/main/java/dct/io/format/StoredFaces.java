@@ -1,6 +1,7 @@
 package dct.io.format;
 
 import dct.problem.verify.ClaimedEdges;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -12,9 +13,15 @@ import java.util.Optional;
  * @param count the number of its triangles; 0 if the file does not list them
  * @param rim the edges that have one triangle; none if the file does not tell
  * @param fault why the triangles cannot be a triangulation, if that is known already
+ * @param flips the ends of the edges that are flipped in it, one after the other
  */
 public record StoredFaces(
-    String what, ClaimedEdges edges, int count, Rim rim, Optional<Fault> fault) {
+    String what, ClaimedEdges edges, int count, Rim rim, Optional<Fault> fault, List<int[]> flips) {
+
+  /** Copies the list. */
+  public StoredFaces {
+    flips = List.copyOf(flips);
+  }
 
   /**
    * What is wrong.
@@ -29,6 +36,11 @@ public record StoredFaces(
    * @param rim as above
    */
   public static StoredFaces of(ClaimedEdges edges, Rim rim) {
-    return new StoredFaces("edges", edges, 0, rim, Optional.empty());
+    return new StoredFaces("edges", edges, 0, rim, Optional.empty(), List.of());
+  }
+
+  /** The same with these flips. */
+  public StoredFaces flipped(List<int[]> edgesInTurn) {
+    return new StoredFaces(what, edges, count, rim, fault, edgesInTurn);
   }
 }

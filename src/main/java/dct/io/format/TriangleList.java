@@ -4,6 +4,7 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.EdgeKind;
 import dct.problem.verify.ClaimedEdges;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -64,7 +65,7 @@ public final class TriangleList {
       }
       Optional<StoredFaces.Fault> found =
           fault.isEmpty() ? Optional.empty() : Optional.of(new StoredFaces.Fault(faultLine, fault));
-      return new StoredFaces("triangles", edges, size, rim, found);
+      return new StoredFaces("triangles", edges, size, rim, found, List.of());
     }
 
     private void checkCorners() {

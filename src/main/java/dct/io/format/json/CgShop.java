@@ -46,6 +46,7 @@ final class CgShop {
   private final Map<String, Integer> lines = new HashMap<>(); // where the lists end
   private final Set<String> left = new HashSet<>(); // lists of numbers of points or edges
   private String instance = "";
+  private Optional<CgShopFlips> flips = Optional.empty();
   private boolean isMotion; // of robots: the challenge of 2021
 
   CgShop(JsonScanner scanner) {
@@ -64,6 +65,8 @@ final class CgShop {
     } else if (isArray && NUMBERS.contains(field)) {
       left.add(field);
       scanner.json.skipValue();
+    } else if (isArray && field.equals("flips")) {
+      flips = Optional.of(CgShopFlips.read(scanner));
     } else if (isArray && MOTION.contains(field)) {
       isMotion = true;
       scanner.json.skipValue();
@@ -118,6 +121,11 @@ final class CgShop {
       throw withoutPoints(name);
     }
     return shapes;
+  }
+
+  /** The flips of a solution of 2026. */
+  Optional<CgShopFlips> flips() {
+    return flips;
   }
 
   private boolean has(String x, String y) {

@@ -5,7 +5,11 @@ import dct.io.format.Input;
 import dct.io.format.PointColumns;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
+import dct.io.text.PlainText;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -20,6 +24,7 @@ final class JsonGeometry {
   private static final List<String> NAMES =
       List.of("name", "NAME", "Name", "title", "id", "ID", "label");
 
+  private final Input input;
   private final JsonScanner scanner;
   private final List<Shape> shapes = new ArrayList<>();
   private String format = "GeoJSON";
@@ -28,6 +33,7 @@ final class JsonGeometry {
   private final List<String> notes = new ArrayList<>();
 
   private JsonGeometry(Input input) {
+    this.input = input;
     scanner = new JsonScanner(input);
   }
 
@@ -139,9 +145,24 @@ final class JsonGeometry {
       shapes.addAll(vertices.shapes(notes));
     } else {
       vertices.holes().ifPresent(challenge::holes);
-      add(challenge.shapes(type, name, notes));
+      List<Shape> flipped = flipped(challenge.flips(), name);
+      add(flipped.isEmpty() ? challenge.shapes(type, name, notes) : flipped);
     }
     label(first, name);
+  }
+
+  /** The triangulations of the instance that stands beside its solution; none if it does not. */
+  private List<Shape> flipped(Optional<CgShopFlips> flips, String instance) throws IOException {
+    Optional<Path> file = flips.flatMap(found -> CgShopFlips.instanceBeside(input, instance));
+    if (file.isEmpty()) {
+      return List.of();
+    }
+    String beside = file.get().toString();
+    try (InputStream in = Files.newInputStream(file.get())) {
+      List<Shape> read = read(Input.of(beside, PlainText.of(beside, in))).shapes();
+      notes.add("The instance is read from " + file.get().getFileName());
+      return flips.get().appliedTo(read);
+    }
   }
 
   private String skipped(String before) throws IOException {

@@ -1,6 +1,7 @@
 package dct.io.format.json;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import dct.core.Progress;
@@ -27,9 +28,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -189,6 +193,32 @@ class CgShopTest {
       requireSame(PointFile.read("in", written(flipped), Choice.NONE.picking(1)), made);
       requireSame(PointFile.read("in", written(flipped), Choice.NONE.picking(2)), flipped);
     }
+  }
+
+  @Test
+  void the_flips_of_a_solution_are_carried_out_in_the_instance_beside_it(@TempDir Path folder)
+      throws IOException {
+    double[] pairs = pairs(SiteShape.CLUSTERS.generate(40, 3));
+    Instance instance = Instance.of(Domain.SITES, "x", Points.ofPairs(pairs), Progress.NONE);
+    Solution flipped = Solution.of(instance, Method.DELAUNAY, Progress.NONE).flipped(Progress.NONE);
+    Path solution = folder.resolve("some.solution.json");
+    Drawing drawing = Drawing.of(flipped);
+    DataFile.write(solution, FileEnding.SOLUTION, drawing, Progress.NONE);
+    assertThatThrownBy(() -> PointFile.read(solution, Choice.NONE, Progress.NONE))
+        .hasMessageContaining("open its instance x");
+    Path beside = folder.resolve("x.json");
+    DataFile.write(beside, FileEnding.INSTANCE, drawing, Progress.NONE);
+    PointDocument first = PointFile.read(solution, Choice.NONE.picking(1), Progress.NONE);
+    requireSame(first, flipped);
+    assertThat(solution(first).flips().orElseThrow().flips())
+        .isEqualTo(flipped.flips().orElseThrow().flips());
+    requireSame(PointFile.read(solution, Choice.NONE.picking(2), Progress.NONE), flipped);
+    Files.writeString(solution, Files.readString(solution).replaceFirst("\\[\\[\\d+, ", "[[99, "));
+    assertThatThrownBy(() -> PointFile.read(solution, Choice.NONE.picking(1), Progress.NONE))
+        .hasMessageContaining("flip 1 is impossible: there is no edge v99");
+    Files.writeString(solution, Files.readString(solution).replaceFirst("\\], \\[\\]\\]", "]]"));
+    assertThatThrownBy(() -> PointFile.read(solution, Choice.NONE, Progress.NONE))
+        .hasMessageContaining("there are flips for 1 triangulations, but the instance has 2");
   }
 
   private static double[] pairs(Points points) {
