@@ -9,6 +9,7 @@ import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.SiteBounds;
 import dct.core.degree.exact.ExactSites;
+import dct.core.degree.exact.OddSetProof;
 import dct.core.triangulate.Triangulation;
 import java.util.Comparator;
 import java.util.List;
@@ -30,8 +31,9 @@ import java.util.function.Supplier;
  *   <li>An exact method, if one applies: the table of the polygon that the sites are the corners of
  *       ({@link HullPolygon}), or {@link ExactSites}.
  *   <li>The bounds that take longer ({@link SiteBounds}), and against them the beam search over
- *       strips; after a few strips the slowest bound, by windows. Of a lattice, other walks come
- *       before the strips: where its rows do not fill the hull one walk in dozens succeeds.
+ *       strips; after a few strips {@link OddSetProof} and the bound by windows. Of a lattice,
+ *       other walks come before the strips: where its rows do not fill the hull one walk in dozens
+ *       succeeds.
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
@@ -143,9 +145,23 @@ public final class SiteOptimizer {
 
   private void solveStrips() {
     search.solveStrips(bound.value(), LITTLE_EFFORT * limits.effort());
+    refuteSets();
     if (isOpen()) {
       bound = bound.max(SiteBounds.ofWindows(start, goal, search.unmet(), clock));
       search.solveStrips(bound.value(), limits.effort());
+    }
+  }
+
+  private void refuteSets() {
+    if (isOpen()) {
+      Optimum known =
+          new Optimum(search.triangulation(), goal, search.unmet(), bound, clock.hasStruck());
+      Optimum better = OddSetProof.improve(known, limits.effort(), clock);
+      bound = better.bound();
+      if (better.unmet() < search.unmet()) {
+        search = searchFrom(better.triangulation(), 0);
+      }
+      clock.checkCancelled();
     }
   }
 

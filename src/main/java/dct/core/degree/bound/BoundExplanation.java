@@ -6,6 +6,8 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.Mark;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
+import dct.core.degree.exact.OddSetProof;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.ArrayList;
@@ -20,7 +22,7 @@ import java.util.stream.IntStream;
  * <p>The bounds are computed again in the order in which {@link SiteBounds} and {@link
  * PolygonBounds} take them, up to the first that reaches the number in question; what it rests on
  * is found again as well, as far as that is needed. The first ones take linear time, the walk round
- * the hull up to a second, windows some seconds.
+ * the hull up to a second, sets of odd vertices and windows some seconds.
  */
 public final class BoundExplanation {
   private final Triangulation any;
@@ -129,6 +131,7 @@ public final class BoundExplanation {
         .or(this::threeHullSites)
         .or(this::walk)
         .or(this::threeHullSites)
+        .or(this::refuted)
         .or(this::windows);
   }
 
@@ -179,6 +182,10 @@ public final class BoundExplanation {
     return HullWalkBound.ofStrips(ring, goal, progress)
         .filter(this::reaches)
         .map(bound -> HullWalkMarks.ofStrips(ring, bound.value()));
+  }
+
+  private Optional<Explanation> refuted() {
+    return OddSetProof.of(any, goal, value, progress).map(proof -> OddSetMarks.of(proof, goal));
   }
 
   private Optional<Explanation> windows() {

@@ -3,6 +3,7 @@ package dct.core.degree.bound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,7 @@
 package dct.core.degree.bound;
 
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.EmptyFan;
 import java.util.Arrays;
 
 /**

@@ -3,6 +3,8 @@ package dct.core.degree.bound;
 import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.colour.EmptyFan;
+import dct.core.degree.colour.HullRing;
 import java.util.Optional;
 
 /**

@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 
 /**
  * The bound for sites that are all the lattice points of a lattice polygon ({@link Lattice}).

@@ -5,6 +5,7 @@ import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

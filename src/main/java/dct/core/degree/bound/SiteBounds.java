@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.Optional;

@@ -3,6 +3,7 @@ package dct.core.degree.bound;
 import dct.core.degree.Explanation;
 import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
+import dct.core.degree.colour.HullRing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -4,6 +4,8 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.AllTriangles;
+import dct.core.degree.colour.HullRing;
 import dct.core.geometry.Points;
 import java.util.ArrayList;
 import java.util.Arrays;

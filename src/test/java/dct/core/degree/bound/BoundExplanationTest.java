@@ -8,6 +8,7 @@ import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
@@ -241,15 +242,34 @@ class BoundExplanationTest {
     return turn != 0;
   }
 
-  @Test
-  void twoArmsOfACrossAreWindows() {
-    double[] pairs = new double[82];
-    for (int i = 0; i < 10; i++) {
-      pairs[8 * i] = i + 1;
-      pairs[8 * i + 2] = -i - 1;
-      pairs[8 * i + 5] = i + 1;
-      pairs[8 * i + 7] = -i - 1;
+  /** Sites on both axes and the origin. */
+  private static double[] cross(int level, int upright) {
+    double[] pairs = new double[4 * (level + upright) + 2];
+    for (int i = 0; i < level; i++) {
+      pairs[4 * i] = i + 1;
+      pairs[4 * i + 2] = -i - 1;
     }
+    for (int i = level; i < level + upright; i++) {
+      pairs[4 * i + 1] = i - level + 1;
+      pairs[4 * i + 3] = level - i - 1;
+    }
+    return pairs;
+  }
+
+  @Test
+  void ofASmallCrossEverySetOfTwoIsRefuted() {
+    double[] pairs = cross(10, 10);
+    Explanation why = allEven(delaunay(pairs), 4);
+    assertThat(why.title()).isEqualTo("Refuted: 821 sets of at most 2 odd vertices");
+    List<Mark.Vertex> marked = marks(why, Mark.Vertex.class);
+    assertThat(marked).isNotEmpty().hasSizeLessThan(41);
+    assertThat(why.sentences())
+        .anyMatch(sentence -> sentence.contains("the " + marked.size() + " marked vertices"));
+  }
+
+  @Test
+  void armsOfALargeCrossAreWindows() {
+    double[] pairs = cross(300, 3);
     Explanation why = allEven(delaunay(pairs), 4);
     List<Mark.Band> bands = marks(why, Mark.Band.class);
     assertThat(why.title()).isEqualTo(bands.size() + " windows cannot be all even");

@@ -7,6 +7,7 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.colour.HullRing;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;

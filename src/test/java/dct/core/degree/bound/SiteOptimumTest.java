@@ -7,7 +7,9 @@ import dct.core.degree.DegreeCount;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.colour.HullRing;
 import dct.core.degree.exact.ExactSites;
+import dct.core.degree.exact.OddSetProof;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -25,6 +27,7 @@ import org.junit.jupiter.api.Test;
 
 /** Bounds and exact optima of sites against optima that other programs computed. */
 class SiteOptimumTest {
+  private static final int MOST_REFUTED = 16; // sites
   private static final List<Row> ROWS = new ArrayList<>();
 
   private record Row(String name, Sites sites, int least, boolean proven) {
@@ -66,6 +69,22 @@ class SiteOptimumTest {
       pairs[i + 1] = Math.floorDiv(i / 2, columns);
     }
     return Points.ofPairs(pairs);
+  }
+
+  @Test
+  void refutedSetsOfOddVerticesProveEveryOptimum() {
+    int proven = 0;
+    for (Row row : ROWS) {
+      if (row.proven && row.sites.size() <= MOST_REFUTED) {
+        Optimum known = Optimum.of(row.start(), row.goal(), new LowerBound(0, "handshake lemma"));
+        Optimum better = OddSetProof.improve(known, 1, Progress.NONE);
+        TriangulationAssert.assertThat(better.triangulation()).isTriangulationOf(row.sites);
+        assertThat(better.unmet()).as(row.name).isEqualTo(row.least);
+        assertThat(better.isProven()).as(row.name).isTrue();
+        proven++;
+      }
+    }
+    assertThat(proven).isGreaterThan(100);
   }
 
   @Test

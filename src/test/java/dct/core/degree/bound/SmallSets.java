@@ -1,6 +1,7 @@
 package dct.core.degree.bound;
 
 import dct.core.degree.ParityGoal;
+import dct.core.degree.colour.HullRing;
 import dct.core.geometry.Points;
 import dct.testing.RandomSets;
 import dct.testing.RandomSets.Family;

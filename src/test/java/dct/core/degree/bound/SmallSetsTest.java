@@ -1,12 +1,16 @@
 package dct.core.degree.bound;
 
+import static dct.core.degree.exact.OddSetSearch.Outcome.FOUND;
+import static dct.core.degree.exact.OddSetSearch.Outcome.REFUTED;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.colour.HullRing;
 import dct.core.degree.exact.ExactSites;
+import dct.core.degree.exact.OddSetSearch;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
@@ -23,6 +27,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SmallSetsTest {
   private static final int SEEDS = 14;
   private static final int MOST = 9;
+  private static final long UNLIMITED = Long.MAX_VALUE / 2;
 
   private static List<Family> families() {
     return SmallSets.families();
@@ -59,7 +64,21 @@ class SmallSetsTest {
       TriangulationAssert.assertThat(optimum.triangulation()).isTriangulationOf(sites);
       assertThat(goal.unmet(optimum.triangulation())).as(what).isEqualTo(least);
       assertThat(optimum.isProven()).as(what).isTrue();
+      if (start.triangleCount() > 0) {
+        checkOddSets(start, goal, least, what);
+      }
     }
+  }
+
+  private static void checkOddSets(Triangulation start, ParityGoal goal, int least, String what) {
+    OddSetSearch search = OddSetSearch.of(start, goal, Progress.NONE).orElseThrow();
+    for (int unmet = 0; unmet < least; unmet++) {
+      assertThat(search.search(unmet, UNLIMITED)).as("%s, %d", what, unmet).isEqualTo(REFUTED);
+    }
+    assertThat(search.search(least, UNLIMITED)).as(what).isEqualTo(FOUND);
+    TriangulationAssert.assertThat(search.found())
+        .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
+    assertThat(goal.unmet(search.found())).as(what).isEqualTo(least);
   }
 
   private static void checkStrips(HullRing ring, ParityGoal goal, int least, String what) {

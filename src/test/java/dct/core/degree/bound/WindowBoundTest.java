@@ -7,6 +7,7 @@ import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.colour.AllTriangles;
 import dct.core.degree.exact.ExactSites;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;

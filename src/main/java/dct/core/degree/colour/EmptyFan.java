@@ -1,4 +1,4 @@
-package dct.core.degree.bound;
+package dct.core.degree.colour;
 
 import dct.core.geometry.Points;
 import java.util.Arrays;
@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
  *
  * <p>O(n log n) time for the order, then O(number of triangles). Exact.
  */
-final class EmptyFan {
+public final class EmptyFan {
   private final Points points;
   private final int hub;
   private final int[] sites; // the sites seen, counter-clockwise
@@ -51,7 +51,7 @@ final class EmptyFan {
    * @param most give up at more triangles than this
    * @return empty if given up
    */
-  static Optional<EmptyFan> of(Points points, int hub, int[] others, int most) {
+  public static Optional<EmptyFan> of(Points points, int hub, int[] others, int most) {
     EmptyFan fan = new EmptyFan(points, hub, others);
     return fan.findPartners(most) ? Optional.of(fan) : Optional.empty();
   }
@@ -62,33 +62,33 @@ final class EmptyFan {
    * @param most give up at more triangles than this
    * @return empty if given up
    */
-  static Optional<EmptyFan> of(HullRing ring, int k, int most) {
+  public static Optional<EmptyFan> of(HullRing ring, int k, int most) {
     EmptyFan fan = new EmptyFan(ring, k);
     return fan.findPartners(most) ? Optional.of(fan) : Optional.empty();
   }
 
   /** The number of sites that the hub sees. */
-  int size() {
+  public int size() {
     return sites.length;
   }
 
   /** The number of empty triangles. */
-  int triangles() {
+  public int triangles() {
     return start[sites.length];
   }
 
   /** The site with number j: 0 is the next one on the hull, the last one the previous. */
-  int site(int j) {
+  public int site(int j) {
     return sites[j];
   }
 
   /** Where the partners of j begin; they end where those of j + 1 begin. */
-  int firstPartner(int j) {
+  public int firstPartner(int j) {
     return start[j];
   }
 
   /** The partner at this place: its number is less than that of the one whose partner it is. */
-  int partner(int place) {
+  public int partner(int place) {
     return partners[place];
   }
 

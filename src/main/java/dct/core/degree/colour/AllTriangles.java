@@ -1,4 +1,4 @@
-package dct.core.degree.bound;
+package dct.core.degree.colour;
 
 import dct.core.Progress;
 import dct.core.geometry.Points;
@@ -13,16 +13,17 @@ import java.util.Optional;
  * between them. About 2n² triangles of random sites, up to n³/6; found in time proportional to
  * their number, with O(n log n) for each site.
  */
-final class AllTriangles {
+public final class AllTriangles {
   private int[] corner = new int[256]; // by side: where it starts; three sides a triangle
   private int count; // triangles
+  private int[] edge; // by side: the edge it lies on
   private int[] ends; // by edge e: its ends at 2e and 2e + 1, that with the lower number first
   private int[][] sidesOf; // by edge: the sides of triangles that lie on it
   private int[][] sidesAt; // by site: the sides that start there
   private int[][] endsAt; // by site: twice an edge, plus 1 at its end with the higher number
 
   /** The triangles, or empty if there are more than {@code most}. */
-  static Optional<AllTriangles> of(Points points, int most, Progress progress) {
+  public static Optional<AllTriangles> of(Points points, int most, Progress progress) {
     AllTriangles all = new AllTriangles();
     int[] order = sweepOrder(points);
     for (int i = 0; i + 2 < order.length; i++) {
@@ -63,7 +64,7 @@ final class AllTriangles {
   private void index(int n) {
     corner = Arrays.copyOf(corner, 3 * count);
     Map<Long, Integer> number = new HashMap<>();
-    int[] edge = new int[corner.length];
+    edge = new int[corner.length];
     int[] end = new int[2 * corner.length];
     for (int side = 0; side < edge.length; side++) {
       int a = Math.min(corner[side], corner[after(side)]);
@@ -93,42 +94,52 @@ final class AllTriangles {
     return groups;
   }
 
-  private static int after(int side) {
+  static int after(int side) {
     return side % 3 == 2 ? side - 2 : side + 1;
   }
 
   /** The number of triangles. */
-  int count() {
+  public int count() {
     return count;
   }
 
   /** The number of edges. */
-  int edges() {
+  public int edges() {
     return sidesOf.length;
   }
 
+  /** The site where a side starts. */
+  int corner(int side) {
+    return corner[side];
+  }
+
+  /** The edge that a side lies on. */
+  int edge(int side) {
+    return edge[side];
+  }
+
   /** The sides of triangles that start at a site; side s belongs to triangle s / 3. */
-  int[] sidesAt(int site) {
+  public int[] sidesAt(int site) {
     return sidesAt[site];
   }
 
   /** The ends of edges at a site: 2e or 2e + 1 for edge e. */
-  int[] endsAt(int site) {
+  public int[] endsAt(int site) {
     return endsAt[site];
   }
 
   /** The site at this end of an edge. */
-  int site(int end) {
+  public int site(int end) {
     return ends[end];
   }
 
   /** The sides of triangles that lie on an edge. */
-  int[] sidesOn(int edge) {
+  public int[] sidesOn(int edge) {
     return sidesOf[edge];
   }
 
   /** Whether this side runs from the end 2e of its edge e to the end 2e + 1. */
-  boolean isForward(int side) {
+  public boolean isForward(int side) {
     return corner[side] < corner[after(side)];
   }
 }

@@ -1,4 +1,4 @@
-package dct.core.degree.bound;
+package dct.core.degree.colour;
 
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
  * The boundary of the hull of sites that do not all lie on one line: h sites, those inside its
  * edges included, counter-clockwise. Positions are taken modulo h.
  */
-final class HullRing {
+public final class HullRing {
   private final Triangulation triangulation;
   private final int[]
       outward; // by position: the half-edge that leaves the site along the outer face
@@ -25,7 +25,7 @@ final class HullRing {
   }
 
   /** The boundary of any triangulation of the sites that has a triangle, in O(h) steps. */
-  static HullRing of(Triangulation triangulation) {
+  public static HullRing of(Triangulation triangulation) {
     Dcel dcel = triangulation.dcel();
     int first = dcel.faceEdge(Dcel.OUTER);
     IntStream.Builder outward = IntStream.builder();
@@ -38,37 +38,37 @@ final class HullRing {
   }
 
   /** The triangulation that the ring was read from. */
-  Triangulation triangulation() {
+  public Triangulation triangulation() {
     return triangulation;
   }
 
   /** The sites. */
-  Points points() {
+  public Points points() {
     return triangulation.points();
   }
 
   /** The number of sites on the boundary, h. */
-  int size() {
+  public int size() {
     return outward.length;
   }
 
   /** The number of sites inside the hull. */
-  int interior() {
+  public int interior() {
     return onHull.length - outward.length;
   }
 
   /** The site at position k, which may be any number. */
-  int site(int k) {
+  public int site(int k) {
     return triangulation.dcel().origin(outward[Math.floorMod(k, outward.length)]);
   }
 
   /** Whether site v is on the boundary. */
-  boolean contains(int v) {
+  public boolean contains(int v) {
     return onHull[v];
   }
 
   /** Whether the site at position k lies inside an edge of the hull. */
-  boolean isFlat(int k) {
+  public boolean isFlat(int k) {
     return points().orient(site(k - 1), site(k), site(k + 1)) == 0;
   }
 
@@ -80,7 +80,7 @@ final class HullRing {
    * strictly beyond the line through its two neighbours on the hull, then so do the edges between
    * them, the triangles at v cover the triangle in question, and these have no site inside.
    */
-  boolean isEarable(int k) {
+  public boolean isEarable(int k) {
     Dcel dcel = triangulation.dcel();
     int before = site(k - 1);
     int after = site(k + 1);

@@ -1,8 +1,9 @@
-package dct.core.degree.bound;
+package dct.core.degree.colour;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
+import dct.core.degree.bound.SmallSets;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;

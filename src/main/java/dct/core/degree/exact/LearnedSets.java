@@ -1,0 +1,75 @@
+package dct.core.degree.exact;
+
+import dct.core.degree.colour.Refutation;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * Refutations, and which of them refute a set that changes by one site at a time: a few operations
+ * for each refutation and change.
+ */
+final class LearnedSets {
+  private final BitSet set; // the present set of odd sites
+  private final List<Refutation> all = new ArrayList<>();
+  private long[][] around; // by site and refutation: the cycles round the site, folded
+  private long[] rest = new long[64]; // by refutation: 0 if it may refute the present set
+
+  /** Nothing learned yet, for n sites of which these are odd. */
+  LearnedSets(int n, BitSet odd) {
+    set = odd;
+    around = new long[n][rest.length];
+  }
+
+  /** The present set; not to be changed. */
+  BitSet set() {
+    return set;
+  }
+
+  int size() {
+    return all.size();
+  }
+
+  Refutation get(int j) {
+    return all.get(j);
+  }
+
+  void add(Refutation refutation) {
+    int j = all.size();
+    all.add(refutation);
+    if (j == rest.length) {
+      rest = Arrays.copyOf(rest, 2 * j);
+      Arrays.setAll(around, v -> Arrays.copyOf(around[v], rest.length));
+    }
+    rest[j] = fold(refutation.odd());
+    for (int v = 0; v < around.length; v++) {
+      around[v][j] = fold(refutation.around(v));
+      rest[j] ^= set.get(v) ? around[v][j] : 0;
+    }
+  }
+
+  /** Up to 64 cycles as they are; more are folded, so that different sets may look the same. */
+  private static long fold(BitSet cycles) {
+    long bits = 0;
+    for (int k = cycles.nextSetBit(0); k >= 0; k = cycles.nextSetBit(k + 1)) {
+      bits ^= k < Long.SIZE ? 1L << k : new Random(k).nextLong();
+    }
+    return bits;
+  }
+
+  /** Puts a site into the present set, or takes it out. */
+  void flip(int site) {
+    set.flip(site);
+    long[] change = around[site];
+    for (int j = 0; j < all.size(); j++) {
+      rest[j] ^= change[j];
+    }
+  }
+
+  /** Whether the refutation with this number refutes the present set. */
+  boolean refutes(int j) {
+    return rest[j] == 0 && (all.get(j).rank() <= Long.SIZE || all.get(j).refutes(set));
+  }
+}

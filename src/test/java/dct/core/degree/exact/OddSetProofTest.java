@@ -1,0 +1,114 @@
+package dct.core.degree.exact;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dct.core.Progress;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
+import dct.core.degree.ParityGoal;
+import dct.core.degree.ParityGoal.Wish;
+import dct.core.geometry.Points;
+import dct.core.geometry.Sites;
+import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
+import dct.testing.CancelledAfter;
+import dct.testing.TriangulationAssert;
+import java.util.Arrays;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Proofs that no set of few vertices can be the odd ones:
+ *
+ * <pre>{@code
+ * Optimum known = Optimum.of(triangulation, goal, new LowerBound(0, "handshake lemma"));
+ * Optimum better = OddSetProof.improve(known, 1, Progress.NONE);
+ * }</pre>
+ */
+class OddSetProofTest {
+  private static final LowerBound NOTHING = new LowerBound(0, "handshake lemma");
+
+  private static Triangulation triangulation(double... pairs) {
+    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
+  }
+
+  /** Sites on both axes, the same number on each arm, and the origin. */
+  private static Triangulation cross(int onArm) {
+    double[] pairs = new double[8 * onArm + 2];
+    for (int i = 0; i < onArm; i++) {
+      pairs[8 * i] = i + 1;
+      pairs[8 * i + 2] = -i - 1;
+      pairs[8 * i + 5] = i + 1;
+      pairs[8 * i + 7] = -i - 1;
+    }
+    return triangulation(pairs);
+  }
+
+  private static Optimum improve(Triangulation start, ParityGoal goal) {
+    return OddSetProof.improve(Optimum.of(start, goal, NOTHING), 1, Progress.NONE);
+  }
+
+  @Test
+  void findsTheOptimumOfACrossAndRefutesEverySmallerSet() {
+    Triangulation start = cross(10);
+    Optimum better = improve(start, ParityGoal.allEven(41));
+    TriangulationAssert.assertThat(better.triangulation())
+        .isTriangulationOf(Sites.of(start.points(), Progress.NONE));
+    assertThat(better.unmet()).isEqualTo(4);
+    assertThat(better.bound())
+        .isEqualTo(new LowerBound(4, "refuted: 821 sets of at most 2 odd vertices"));
+  }
+
+  @Test
+  void twoTrianglesWithOneSiteEachAreCounted() {
+    Triangulation square = triangulation(0, 0, 1, 0, 1, 1, 0, 1);
+    assertThat(improve(square, ParityGoal.allEven(4)).bound())
+        .isEqualTo(new LowerBound(2, "refuted: no odd vertex"));
+    assertThat(improve(square, ParityGoal.allOdd(4)).bound())
+        .isEqualTo(new LowerBound(2, "refuted: no unmet vertex"));
+  }
+
+  @Test
+  void aVertexWithoutAWishMayHaveEitherParity() {
+    Triangulation square = triangulation(0, 0, 1, 0, 1, 1, 0, 1);
+    ParityGoal free = ParityGoal.allEven(4).with(0, Wish.ANY).with(2, Wish.ANY);
+    assertThat(improve(square, free).unmet()).isZero();
+    ParityGoal neighbours = ParityGoal.allEven(4).with(0, Wish.ANY).with(1, Wish.ANY);
+    Optimum one = improve(square, neighbours);
+    assertThat(one.unmet()).isEqualTo(1);
+    assertThat(one.isProven()).isTrue();
+  }
+
+  @Test
+  void theSameInputGivesTheSameTriangulation() {
+    Triangulation start = triangulation(new Random(7).doubles(60).toArray());
+    ParityGoal goal = ParityGoal.allEven(30);
+    Optimum once = improve(start, goal);
+    assertThat(once.isProven()).isTrue();
+    Optimum again = improve(start, goal);
+    assertThat(again.bound()).isEqualTo(once.bound());
+    for (int e = 0; e < 2 * start.dcel().edgeCount(); e++) {
+      assertThat(again.triangulation().dcel().target(e))
+          .isEqualTo(once.triangulation().dcel().target(e));
+    }
+  }
+
+  @Test
+  void whatIsProvenBeforeACancelIsKept() {
+    Triangulation start = cross(10);
+    Optimum known = Optimum.of(start, ParityGoal.allEven(41), NOTHING);
+    assertThat(OddSetProof.improve(known, 1, new CancelledAfter(0))).isEqualTo(known);
+    int[] proven =
+        Arrays.stream(new int[] {100, 400, 4000})
+            .map(asked -> OddSetProof.improve(known, 1, new CancelledAfter(asked)).bound().value())
+            .toArray();
+    assertThat(proven).isSorted().contains(2);
+  }
+
+  @Test
+  void tooManySitesAreLeftAsTheyAre() {
+    Triangulation start = triangulation(new Random(1).doubles(1400).toArray());
+    Optimum known = Optimum.of(start, ParityGoal.allEven(700), NOTHING);
+    assertThat(OddSetProof.improve(known, 1, Progress.NONE)).isEqualTo(known);
+  }
+}
