@@ -59,15 +59,17 @@ class ClipboardWindowTest extends WindowTest {
             "POLYGON ((100 100, 300 100, 300 300, 100 300, 100 100))",
             "{\"type\": \"Polygon\", \"coordinates\":"
                 + " [[[100, 100], [300, 100], [300, 300], [100, 300], [100, 100]]]}",
-            "<ipeselection pos=\"0 0\">\n"
-                + "<path>\n"
-                + "100 -100 m\n"
-                + "300 -100 l\n"
-                + "300 -300 l\n"
-                + "100 -300 l\n"
-                + "h\n"
-                + "</path>\n"
-                + "</ipeselection>\n")) {
+            """
+            <ipeselection pos="0 0">
+            <path>
+            100 -100 m
+            300 -100 l
+            300 -300 l
+            100 -300 l
+            h
+            </path>
+            </ipeselection>
+            """)) {
       clipboard().setContents(new StringSelection(text), null);
       type(KeyEvent.VK_V, KeyEvent.VK_CONTROL);
       assertThat(points()).as(text).isEqualTo(Points.ofPairs(SQUARE));

@@ -48,22 +48,8 @@ public final class OddSites {
   /** What was decided. */
   public sealed interface Answer {
 
-    /**
-     * There is such a triangulation.
-     *
-     * @param corners three sites a triangle, counter-clockwise
-     */
-    record Found(int[] corners) implements Answer {
-      @Override
-      public boolean equals(Object other) {
-        return other instanceof Found that && Arrays.equals(corners, that.corners);
-      }
-
-      @Override
-      public int hashCode() {
-        return Arrays.hashCode(corners);
-      }
-    }
+    /** There is one, {@link OddSites#corners}. */
+    record Found() implements Answer {}
 
     /** There is none, for this reason. */
     record Refuted(Refutation by) implements Answer {}
@@ -83,7 +69,7 @@ public final class OddSites {
     long enough = (long) STEPS_A_TRIANGLE * sides.triangles().count();
     long most = isUnbalanced ? Math.min(mostSteps, enough) : mostSteps;
     return switch (search.search(odd.stream().toArray(), allEdges, most, progress)) {
-      case FOUND -> new Answer.Found(search.corners());
+      case FOUND -> new Answer.Found();
       case REFUTED ->
           new Answer.Refuted(
               smaller(Refutation.of(search.refutation(), sides, odd), odd, progress));
@@ -92,6 +78,11 @@ public final class OddSites {
               ? new Answer.Refuted(Refutation.exactly(sides.ring().points().size(), odd))
               : new Answer.Open();
     };
+  }
+
+  /** After Found: the triangulation, three sites a triangle, counter-clockwise. */
+  public int[] corners() {
+    return search.corners();
   }
 
   /** All steps so far. */

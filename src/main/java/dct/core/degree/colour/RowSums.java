@@ -10,7 +10,6 @@ import java.util.stream.IntStream;
  * the edge and subtracts those on its right.
  */
 final class RowSums {
-  private final AllTriangles triangles;
   private final int[] least; // by row
   private final int[] greatest; // by row
   private final int[] wanted; // by row: 0 but on the hull
@@ -22,7 +21,6 @@ final class RowSums {
   private BitSet used = new BitSet(); // edges
 
   RowSums(AllTriangles triangles) {
-    this.triangles = triangles;
     int rows = 2 * triangles.edges();
     least = new int[rows];
     greatest = new int[rows];

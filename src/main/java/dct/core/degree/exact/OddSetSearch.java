@@ -41,7 +41,6 @@ public final class OddSetSearch {
   }
 
   private final Triangulation start;
-  private final ParityGoal goal;
   private final OddSites sites;
   private final int[] first; // sites in the order in which they are added
   private final LearnedSets learned;
@@ -58,7 +57,6 @@ public final class OddSetSearch {
   private OddSetSearch(
       Triangulation start, ParityGoal goal, OddSites sites, int[] first, Progress progress) {
     this.start = start;
-    this.goal = goal;
     this.sites = sites;
     this.first = first;
     this.progress = progress;
@@ -164,8 +162,8 @@ public final class OddSetSearch {
   private Outcome decide() {
     progress.report(1 - (double) (limit - steps()) / budget, "Refuting sets of unmet vertices");
     Answer answer = sites.decide(learned.set(), limit - steps(), progress);
-    if (answer instanceof Found triangles) {
-      found = TriangleMesh.of(start.points(), triangles.corners());
+    if (answer instanceof Found) {
+      found = TriangleMesh.of(start.points(), sites.corners());
       return Outcome.FOUND;
     }
     if (answer instanceof Refuted refuted) {

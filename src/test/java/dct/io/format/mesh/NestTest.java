@@ -40,7 +40,11 @@ class NestTest {
     for (int box = 0; box < 4 && depth > 0; box++) {
       if (random.nextInt(4) > 0) {
         double from = size / 2 - part;
-        fill(left + from + box % 2 * part, low + from + box / 2 * part, part, depth - 1);
+        fill(
+            left + from + box % 2 * part,
+            low + from + Math.floorDiv(box, 2) * part,
+            part,
+            depth - 1);
       }
     }
   }
