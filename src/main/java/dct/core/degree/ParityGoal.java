@@ -20,6 +20,11 @@ public final class ParityGoal {
     public boolean isGrantedBy(int degree) {
       return this == ANY || (degree & 1) == (this == ODD ? 1 : 0);
     }
+
+    /** What a degree costs: 1 if it misses the wish, or else 0. */
+    public int penalty(int degree) {
+      return isGrantedBy(degree) ? 0 : 1;
+    }
   }
 
   private final Wish[] wishes; // by vertex

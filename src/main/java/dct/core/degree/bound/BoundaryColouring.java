@@ -66,7 +66,7 @@ public final class BoundaryColouring {
     for (int k = h - 1; k >= 0; k--) {
       int before = 0; // twice the state before, plus 1 where the colour changes
       while (next(before / 2, (before & 1) == 1) != state
-          || cost[k][before / 2] + penalty(wish.apply(k), before & 1) != cost[k + 1][state]) {
+          || cost[k][before / 2] + wish.apply(k).penalty(before & 1) != cost[k + 1][state]) {
         before++;
       }
       changes[k] = (before & 1) == 1;
@@ -81,8 +81,8 @@ public final class BoundaryColouring {
     for (int state = 0; state < STATES; state++) {
       int even = next(state, false);
       int odd = next(state, true);
-      after[even] = Math.min(after[even], cost[state] + penalty(wish, 0));
-      after[odd] = Math.min(after[odd], cost[state] + penalty(wish, 1));
+      after[even] = Math.min(after[even], cost[state] + wish.penalty(0));
+      after[odd] = Math.min(after[odd], cost[state] + wish.penalty(1));
     }
     return after;
   }
@@ -92,11 +92,6 @@ public final class BoundaryColouring {
     int colour = changes ? 1 - Math.floorDiv(state, 3) : Math.floorDiv(state, 3);
     int difference = (state % 3 + (colour == 0 ? 1 : 2)) % 3;
     return 3 * colour + difference;
-  }
-
-  /** What a degree costs: 1 if it misses the wish, or else 0. */
-  public static int penalty(Wish wish, int degree) {
-    return wish.isGrantedBy(degree) ? 0 : 1;
   }
 
   /** The bound for sites. */

@@ -30,7 +30,7 @@ final class ColouredBoundary {
       blacks += black ? 1 : 0;
       Tone tone = black ? Tone.BLACK : Tone.WHITE;
       marks.add(new Mark.Segment(boundary[k], boundary[(k + 1) % h], tone));
-      if (BoundaryColouring.penalty(goal.wish(boundary[k]), changes[k] ? 1 : 2) > 0) {
+      if (goal.wish(boundary[k]).penalty(changes[k] ? 1 : 2) > 0) {
         missed.add(new Mark.Vertex(boundary[k], Tone.FAULT, changes[k] ? "odd" : "even"));
       }
     }

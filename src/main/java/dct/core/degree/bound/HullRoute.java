@@ -149,7 +149,7 @@ final class HullRoute {
         int next = coloured ? BoundaryColouring.next(layer, odd) : 0;
         if (cost < HullWalk.UNREACHED
             && next == Math.floorMod(state, layers)
-            && cost + BoundaryColouring.penalty(wish, odd ? 1 : 2) == after[state]) {
+            && cost + wish.penalty(odd ? 1 : 2) == after[state]) {
           return layer;
         }
       }
@@ -214,7 +214,7 @@ final class HullRoute {
     }
 
     private void note(boolean odd) {
-      if (BoundaryColouring.penalty(wish, odd ? 1 : 2) > 0) {
+      if (wish.penalty(odd ? 1 : 2) > 0) {
         missed.add(hub);
       }
     }

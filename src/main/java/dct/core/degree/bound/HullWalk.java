@@ -126,7 +126,7 @@ final class HullWalk {
   private void lower(int apex, int layer, boolean odd, int before, Wish wish) {
     if (before < UNREACHED) {
       int next = layers == 1 ? 0 : BoundaryColouring.next(layer, odd);
-      int after = before + BoundaryColouring.penalty(wish, odd ? 1 : 2);
+      int after = before + wish.penalty(odd ? 1 : 2);
       cost[layers * apex + next] = Math.min(cost[layers * apex + next], after);
     }
   }

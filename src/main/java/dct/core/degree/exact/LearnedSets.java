@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import java.util.Random;
 
 /**
  * Refutations, and which of them refute a set that changes by one site at a time: a few operations
@@ -50,11 +49,11 @@ final class LearnedSets {
     }
   }
 
-  /** Up to 64 cycles as they are; more are folded, so that different sets may look the same. */
+  /** Up to 64 cycles as they are; of more, every 64th together: different sets may look alike. */
   private static long fold(BitSet cycles) {
     long bits = 0;
     for (int k = cycles.nextSetBit(0); k >= 0; k = cycles.nextSetBit(k + 1)) {
-      bits ^= k < Long.SIZE ? 1L << k : new Random(k).nextLong();
+      bits ^= 1L << k; // modulo 64
     }
     return bits;
   }

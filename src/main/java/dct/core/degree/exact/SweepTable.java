@@ -2,7 +2,6 @@ package dct.core.degree.exact;
 
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
-import dct.core.degree.bound.BoundaryColouring;
 import java.util.Arrays;
 
 /**
@@ -128,7 +127,7 @@ final class SweepTable {
 
   /** What it costs that the site with this rank has this degree: 1 if it misses its wish. */
   int penalty(int rank, int degree) {
-    return BoundaryColouring.penalty(goal.wish(sites.site(rank)), degree);
+    return goal.wish(sites.site(rank)).penalty(degree);
   }
 
   /** The sites. */
