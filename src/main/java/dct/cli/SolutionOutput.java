@@ -62,6 +62,9 @@ final class SolutionOutput {
       } catch (CannotHold e) {
         throw new CannotWriteException(output.name(), e);
       }
+      if (DataFile.needsVertices(ending)) {
+        console.err().println("-: the vertices are left out; they belong beside it, use --to node");
+      }
       return true;
     }
     List<Path> written = DataFile.write(output.file(), ending, drawing, Progress.NONE);

@@ -56,8 +56,12 @@ public final class DataFile {
    * {@code .node} of the same name.
    */
   public static List<Path> files(Path file, FileEnding ending) {
-    boolean isNumbered = ending == FileEnding.ELE || ending == FileEnding.EDGE;
-    return isNumbered ? List.of(file, FileEnding.NODE.insteadOf(file)) : List.of(file);
+    return needsVertices(ending) ? List.of(file, FileEnding.NODE.insteadOf(file)) : List.of(file);
+  }
+
+  /** Whether the format only numbers the vertices, and another file has to hold them. */
+  public static boolean needsVertices(FileEnding ending) {
+    return ending == FileEnding.ELE || ending == FileEnding.EDGE;
   }
 
   /** Whether it is the ending of such a format; the program's own are none. */

@@ -87,6 +87,7 @@ final class CoordinateList extends JScrollPane {
       // A colour of the look's own would be replaced when the look changes, by that of fields that
       // are disabled.
       setBackground(new Color(UIManager.getColor("TextField.background").getRGB()));
+      setDropTarget(null); // what is dropped is for the window
     }
   }
 }

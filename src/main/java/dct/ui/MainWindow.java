@@ -108,6 +108,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
   private final transient CrossingWork crossings;
   private final transient Closing closing;
   private final transient ChangedFiles changed;
+  private final transient WindowForFile forFile;
   private transient Editor last; // what was shown before
 
   /** A window that is not visible yet, with no application chosen. */
@@ -123,6 +124,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     resultViews = new ResultViewCommands(this, commands, workbench, canvas, results, links);
     crossings = new CrossingWork(workbench, canvas, this::refit);
     closing = new Closing(this, workbench, files, host, this::closeForGood);
+    forFile = new WindowForFile(() -> isIdleAndEmpty() && !host.isLast(this), this::closeForGood);
     changed = new ChangedFiles(this, workbench, files::save, session.lane());
     journals = Stream.of(Domain.values()).map(this::journal).toList();
     studies = new StudyWork(this, canvas, links, results::open);
@@ -363,9 +365,19 @@ public final class MainWindow extends JFrame implements CommandWindow {
     files.open(file);
   }
 
+  /** Opens a file, and closes this window if nothing comes of it and it is not the last. */
+  void openOrClose(Path file) {
+    forFile.begin();
+    files.open(file);
+  }
+
   private void open(List<Path> dropped, WindowHost host) {
     dropped.stream().findFirst().ifPresent(files::open);
     host.open(dropped.stream().skip(1).toList());
+  }
+
+  private boolean isIdleAndEmpty() {
+    return workbench.jobs().isIdle() && isFree(Domain.POLYGON) && isFree(Domain.SITES);
   }
 
   /** Whether this application of the window has nothing in it that would have to give way. */
@@ -464,6 +476,7 @@ public final class MainWindow extends JFrame implements CommandWindow {
     @Override
     public void idle() {
       status.idle();
+      SwingUtilities.invokeLater(forFile::ended); // what was read is shown before
     }
 
     @Override
@@ -475,8 +488,8 @@ public final class MainWindow extends JFrame implements CommandWindow {
     @Override
     public void failed(String what, Throwable cause) {
       // A dialog waits for its answer; the queue must not wait with it.
-      SwingUtilities.invokeLater(
-          () -> new Failures(MainWindow.this, crossings.remedies()).show(what, cause));
+      Failures failures = new Failures(MainWindow.this, crossings.remedies());
+      forFile.failed(() -> failures.show(what, cause));
     }
   }
 }

@@ -53,7 +53,7 @@ public final class Windows implements WindowHost {
 
   @Override
   public void open(List<Path> files) {
-    files.forEach(file -> openWindow().open(file));
+    files.forEach(file -> openWindow().openOrClose(file));
   }
 
   @Override

@@ -51,6 +51,16 @@ class MeshCommandsTest {
     assertThat(other.err()).startsWith(off + ": ").contains(mesh.toString());
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"ele", "edge"})
+  void standard_output_says_that_the_vertices_are_left_out(String format) {
+    CliRun run = CliRun.of("convert", mesh, "-o", "-", "--to", format);
+    assertThat(run.status()).isEqualTo(CommandLineProgram.DONE);
+    assertThat(run.err())
+        .isEqualTo("-: the vertices are left out; they belong beside it, use --to node\n");
+    assertThat(CliRun.of("convert", mesh, "-o", "-", "--to", "off").done().err()).isEmpty();
+  }
+
   @Test
   void triangles_that_are_no_triangulation_are_false() throws IOException {
     Files.writeString(mesh, TRIANGLES.replace("1 1 2 5", "1 1 2 3"));

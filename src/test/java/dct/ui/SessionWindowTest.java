@@ -11,16 +11,12 @@ import dct.ui.dialog.Memory;
 import dct.ui.dialog.Placement;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
-import dct.ui.file.FileDrop;
 import dct.ui.menu.Look;
 import dct.ui.session.Orphan;
 import dct.ui.session.Session;
 import dct.ui.session.Settings;
 import java.awt.Rectangle;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
-import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -28,8 +24,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
-import javax.swing.TransferHandler;
-import javax.swing.TransferHandler.TransferSupport;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
@@ -303,60 +297,6 @@ class SessionWindowTest extends WindowTest {
         .isEqualTo(folder.toAbsolutePath());
     chooser.cancel();
     await("the file panel is closed", () -> !chooser.target().isShowing());
-  }
-
-  @Test
-  void severalFilesThatAreDroppedOpenInWindowsOfTheirOwn() throws Exception {
-    Path one = folder.resolve("one_polygonbased.txt");
-    Path two = folder.resolve("two_pointbased.txt");
-    PointFile.write(one, Domain.POLYGON, TRIANGLE, Progress.NONE);
-    PointFile.write(two, Domain.SITES, TRIANGLE, Progress.NONE);
-    FileDrop drop = (FileDrop) window.getTransferHandler();
-    later(() -> drop.open(List.of(one, two)));
-    await(
-        "both files",
-        () ->
-            windows().stream().anyMatch(w -> w.getTitle().startsWith("one_"))
-                && windows().stream().anyMatch(w -> w.getTitle().startsWith("two_")));
-  }
-
-  @Test
-  void aFileAmongThoseDroppedThatCannotBeReadKeepsNoOtherBack() throws Exception {
-    Path one = folder.resolve("one_polygonbased.txt");
-    Path bad = Files.writeString(folder.resolve("bad.txt"), "0 0\nno point\n");
-    Path two = folder.resolve("two_pointbased.txt");
-    PointFile.write(one, Domain.POLYGON, TRIANGLE, Progress.NONE);
-    PointFile.write(two, Domain.SITES, TRIANGLE, Progress.NONE);
-    TransferHandler handler = window.getTransferHandler();
-    List<File> files = List.of(one.toFile(), bad.toFile(), two.toFile());
-    TransferSupport dropped = new TransferSupport(canvas(), new Dropped(files));
-    assertThat(onEventThread(() -> handler.canImport(dropped))).isTrue();
-    later(() -> handler.importData(dropped));
-    assertThat(message(dialog())).startsWith("bad.txt, line 2: ");
-    answer(dialog(), "OK");
-    await("both files", () -> isOpen("one_") && isOpen("two_"));
-  }
-
-  private static boolean isOpen(String title) {
-    return windows().stream().anyMatch(w -> w.getTitle().startsWith(title));
-  }
-
-  /** What a file manager drops. */
-  private record Dropped(List<File> files) implements Transferable {
-    @Override
-    public DataFlavor[] getTransferDataFlavors() {
-      return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-    }
-
-    @Override
-    public boolean isDataFlavorSupported(DataFlavor flavor) {
-      return DataFlavor.javaFileListFlavor.equals(flavor);
-    }
-
-    @Override
-    public Object getTransferData(DataFlavor flavor) {
-      return files;
-    }
   }
 
   @Test

@@ -10,7 +10,7 @@ public interface WindowHost {
   /** Opens another, empty window. */
   void openEmpty();
 
-  /** Opens a window for each of these files. */
+  /** Opens a window for each of these files; none stays open for one that is not read. */
   void open(List<Path> files);
 
   /**

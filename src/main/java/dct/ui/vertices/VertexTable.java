@@ -74,6 +74,7 @@ final class VertexTable extends JTable {
     setDefaultEditor(String.class, new CoordinateEditor(rows, context::say));
     setDefaultEditor(Wish.class, new DefaultCellEditor(wishes()));
     setTransferHandler(new Copies());
+    setDropTarget(null); // what is dropped is for the window
     addKeyListener(new NumberKeys(this));
     getSelectionModel()
         .addListSelectionListener(
