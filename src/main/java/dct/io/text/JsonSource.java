@@ -2,7 +2,6 @@ package dct.io.text;
 
 import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -17,8 +16,7 @@ public final class JsonSource {
   /** The text of a stream in UTF-8 that messages call by this name. */
   public JsonSource(String name, InputStream in) {
     this.name = name;
-    InputStreamReader text = new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder());
-    lines = new LineReader(new BufferedReader(text, 1 << 16));
+    lines = new LineReader(new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder()));
     json = strict();
   }
 

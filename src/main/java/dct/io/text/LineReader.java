@@ -5,13 +5,13 @@ import java.io.Reader;
 
 /**
  * Gives its characters at most a line at a time, so that its caller knows the line that they are
- * in, however it buffers.
+ * in, however it buffers. It reads in blocks of its own: nothing need be buffered below it.
  */
 public final class LineReader extends Reader {
-  private static final int NONE = -2;
-
   private final Reader in;
-  private int ahead = NONE; // a character that was read and not given
+  private final char[] block = new char[1 << 16];
+  private int next; // the first character of the block that was not given
+  private int filled; // characters of the block in use
   private int line = 1;
   private boolean atLineEnd;
   private boolean endsAtLine; // whether the end of the line is given as the end of the text
@@ -27,21 +27,45 @@ public final class LineReader extends Reader {
     }
     int i = from;
     while (i < from + length && (i == from || !atLineEnd)) {
-      int c = take();
-      if (c < 0) {
+      if (!isMore()) {
         return i == from ? -1 : i - from;
       }
-      line += atLineEnd ? 1 : 0;
-      text[i++] = (char) c;
-      atLineEnd = c == '\n';
+      int end = endOfLine(from + length - i);
+      System.arraycopy(block, next, text, i, end - next);
+      i += end - next;
+      giveTo(end);
     }
     return i - from;
   }
 
-  private int take() throws IOException {
-    int c = ahead;
-    ahead = NONE;
-    return c == NONE ? in.read() : c;
+  /** Whether there is another character, which is in the block then. */
+  private boolean isMore() throws IOException {
+    while (next == filled) {
+      int read = in.read(block, 0, block.length);
+      if (read < 0) {
+        return false;
+      }
+      next = 0;
+      filled = read;
+    }
+    return true;
+  }
+
+  /** Where the line ends in the block, behind at most so many characters. */
+  private int endOfLine(int most) {
+    int to = Math.min(filled, next + most);
+    int i = next;
+    while (i < to && block[i] != '\n') {
+      i++;
+    }
+    return Math.min(i + 1, to);
+  }
+
+  /** Gives what stands before a place in the block and is of one line. */
+  private void giveTo(int end) {
+    line += atLineEnd ? 1 : 0;
+    atLineEnd = block[end - 1] == '\n';
+    next = end;
   }
 
   /** Gives no more than the rest of the line, until {@link #goOn}. */
@@ -52,19 +76,15 @@ public final class LineReader extends Reader {
   /** Goes on behind the line; gives the next character that is no blank, which stays, or −1. */
   int goOn() throws IOException {
     endsAtLine = false;
-    int c = take();
-    while (c >= 0 && c <= ' ') {
-      line += atLineEnd ? 1 : 0;
-      atLineEnd = c == '\n';
-      c = take();
+    while (isMore() && block[next] <= ' ') {
+      giveTo(next + 1);
     }
-    if (c < 0) {
+    if (next == filled) {
       return -1;
     }
     line += atLineEnd ? 1 : 0;
     atLineEnd = false;
-    ahead = c;
-    return c;
+    return block[next];
   }
 
   /** The line of the last character given, from 1 on. */
