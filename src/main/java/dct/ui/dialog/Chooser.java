@@ -62,7 +62,13 @@ public enum Chooser {
 
   /** Asks for a file to open. */
   public Optional<Path> open(Component parent, Optional<Path> folder) {
+    return open(parent, folder, "Open");
+  }
+
+  /** Asks for a file to open; the title is that of the panel. */
+  public Optional<Path> open(Component parent, Optional<Path> folder, String title) {
     JFileChooser chooser = panel(folder);
+    chooser.setDialogTitle(title);
     if (this == DOCUMENTS) {
       chooser.setFileFilter(
           new FileNameExtensionFilter("Polygons, sites and triangulations", READABLE));

@@ -26,6 +26,7 @@ import javax.swing.SwingUtilities;
  */
 public final class WishWork {
   private static final String TITLE = "Wished Parities";
+  private static final String LOAD = "Load Wishes";
 
   private final Component parent;
   private final Workbench workbench;
@@ -66,12 +67,12 @@ public final class WishWork {
           "Every vertex is wished to be even. Choose Edit ▸ Wish Parity (key W) and click vertices"
               + " to wish them odd or any, or load a file that has a line “v odd” or “v any” for"
               + " each vertex v that shall not be even.";
-      if (Ask.choose(parent, TITLE, how, 0, "Load Wishes", "Cancel") == 0) {
+      if (Ask.choose(parent, TITLE, how, 0, LOAD, "Cancel") == 0) {
         load(editor, optimizer);
       }
     } else {
       switch (Ask.choose(
-          parent, TITLE, words(wishes), 0, "Triangulate", "Load Wishes", "Save Wishes", "Cancel")) {
+          parent, TITLE, words(wishes), 0, "Triangulate", LOAD, "Save Wishes", "Cancel")) {
         case 0 -> optimizer.optimize(TITLE, n -> wishes);
         case 1 -> load(editor, optimizer);
         case 2 -> save(editor);
@@ -91,7 +92,7 @@ public final class WishWork {
 
   private void load(Editor editor, Optimizer optimizer) {
     Document document = editor.document();
-    Optional<Path> file = Chooser.WISHES.open(parent, folder.get());
+    Optional<Path> file = Chooser.WISHES.open(parent, folder.get(), LOAD);
     file.ifPresent(
         path ->
             workbench
@@ -108,7 +109,7 @@ public final class WishWork {
       workbench.say("The vertices have changed meanwhile; the wishes were not taken over");
       return;
     }
-    editor.perform(Edit.wishes("Load Wishes", editor.document(), wishes));
+    editor.perform(Edit.wishes(LOAD, editor.document(), wishes));
     editor.wishesSaved(editor.document(), from);
     // A dialog waits for its answer; the queue of jobs must not wait with it.
     SwingUtilities.invokeLater(() -> ask(editor, optimizer));

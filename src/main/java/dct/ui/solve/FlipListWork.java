@@ -84,7 +84,7 @@ public final class FlipListWork implements FlipCommands.Lists {
 
   @Override
   public void load() {
-    Optional<Path> file = Chooser.FLIPS.open(parent, folder.get());
+    Optional<Path> file = Chooser.FLIPS.open(parent, folder.get(), "Load Flips");
     Optional<Solution> to = desk.solution();
     if (file.isPresent() && to.isPresent()) {
       int n = to.get().instance().size();
