@@ -44,6 +44,8 @@ public final class SiteOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
+  private static final double SHORT_EFFORT = 0.1; // of the first of many searches
+  private static final int SEEDS_APART = 1 << 16; // of searches one after the other
   private static final int FEW = 4; // triangulations of a lattice from which searches begin anew
   private static final int ANEW = 1 << 16; // sites of all those searches together
 
@@ -148,8 +150,34 @@ public final class SiteOptimizer {
     refuteSets();
     if (isOpen()) {
       bound = bound.max(SiteBounds.ofWindows(start, goal, search.unmet(), clock));
-      search.solveStrips(bound.value(), limits.effort());
+      if (limits.seconds() < Double.POSITIVE_INFINITY) {
+        searchAnew();
+      } else {
+        search.solveStrips(bound.value(), limits.effort());
+      }
     }
+  }
+
+  /**
+   * Until the limit of time strikes, searches with other random choices: the time that one needs
+   * varies widely. Most are short, and some are longer, after M. Luby, A. Sinclair and D.
+   * Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993).
+   */
+  private void searchAnew() {
+    search.solveStrips(bound.value(), SHORT_EFFORT * limits.effort());
+    for (int k = 1; isOpen() && !clock.isCancelled(); k++) {
+      SiteSearch other = searchFrom(start, SEEDS_APART * k);
+      other.alignRectangles();
+      other.pairUp(bound.value(), PATIENCE);
+      other.solveStrips(bound.value(), SHORT_EFFORT * luby(k) * limits.effort());
+      search = other.unmet() < search.unmet() ? other : search;
+    }
+  }
+
+  /** 1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8, … */
+  private static int luby(int k) {
+    int whole = Integer.highestOneBit(k + 1); // a run ends at each power of 2 less 1
+    return whole == k + 1 ? whole / 2 : luby(k + 1 - whole);
   }
 
   private void refuteSets() {

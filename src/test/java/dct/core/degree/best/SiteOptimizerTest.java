@@ -259,6 +259,25 @@ class SiteOptimizerTest {
         start, goal, NONE, SearchLimits.DEFAULT, new CancelledAfter(looks));
   }
 
+  /** 270 sites on the sides of a triangle and five in it: nothing proves what is found. */
+  @Test
+  void what_is_open_is_searched_until_the_limit_of_time() {
+    double[] pairs = new double[550];
+    for (int i = 0; i < 90; i++) {
+      double[] onSides = {i, 0, 90 - i, i, 0, 90 - i};
+      System.arraycopy(onSides, 0, pairs, 6 * i, 6);
+    }
+    double[] inside = {12, 18, 18, 12, 18, 24, 24, 6, 6, 36};
+    System.arraycopy(inside, 0, pairs, 540, 10);
+    Sites sites = Sites.of(Points.ofPairs(pairs), Progress.NONE);
+    SearchLimits limits = new SearchLimits(1, 0.001, 8);
+    Optimum best =
+        SiteOptimizer.optimize(delaunay(sites), ParityGoal.allEven(275), limits, Progress.NONE);
+    requireSound(best, sites);
+    assertThat(best.isProven()).isFalse();
+    assertThat(best.interrupted()).isTrue();
+  }
+
   @Test
   void a_limit_of_time_that_is_up_gives_scan_flip() {
     Sites sites = uniform(1000, 2);
