@@ -1,2 +1,5 @@
-/** Exact optima: the table over the chords of a polygon, and the sweep over a few sites. */
+/**
+ * Exact optima of sites: a sweep over all triangulations of a few, and the refutation of all sets
+ * of few odd vertices.
+ */
 package dct.core.degree.exact;
