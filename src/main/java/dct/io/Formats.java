@@ -8,6 +8,7 @@ import dct.io.format.drawing.SvgFormat;
 import dct.io.format.json.JsonFormat;
 import dct.io.format.lists.CgalFormat;
 import dct.io.format.lists.QhullFormat;
+import dct.io.format.lists.RpgFormat;
 import dct.io.format.lists.TsplibFormat;
 import dct.io.format.mesh.EdgeFormat;
 import dct.io.format.mesh.EleFormat;
@@ -35,6 +36,7 @@ public final class Formats {
           new TsplibFormat(),
           new CgalFormat(),
           new QhullFormat(),
+          new RpgFormat(),
           new TriangleFormat(),
           new EleFormat(),
           new EdgeFormat(),
