@@ -12,9 +12,10 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 
 /**
- * Underlined letters for the items of a menu, each letter once. An item gets the first letter of a
- * word of its name if it can; where too few letters are left, items before it make way (augmenting
- * paths), so that as many as possible have one.
+ * Underlined letters for the items of a menu. An item gets the first letter of a word of its name
+ * if it can; where too few letters are left, items before it make way (augmenting paths), so that
+ * as many as possible have one of their own. In a menu of more items than their names have letters,
+ * the others share a letter: it goes from one to the next.
  */
 final class Mnemonics {
   private final Map<Character, JMenuItem> taken = new HashMap<>();
@@ -35,7 +36,11 @@ final class Mnemonics {
   /** Gives each of these items, which may be menus, a letter. */
   static void give(List<? extends JMenuItem> items) {
     Mnemonics letters = new Mnemonics();
-    items.forEach(item -> letters.place(item, new HashSet<>()));
+    for (JMenuItem item : items) {
+      if (!letters.place(item, new HashSet<>())) {
+        item.setMnemonic(letters(item.getText()).get(0));
+      }
+    }
     letters.taken.forEach((letter, item) -> item.setMnemonic(letter));
   }
 
