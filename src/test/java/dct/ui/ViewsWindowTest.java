@@ -9,8 +9,10 @@ import dct.ui.solve.ResultFrame;
 import java.awt.Component;
 import java.awt.Frame;
 import java.awt.Point;
+import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
@@ -58,16 +60,12 @@ class ViewsWindowTest extends WindowTest {
     draw();
     ResultFrame old = pushForResult("Monotone Polygon Triangulation");
     ResultFrame flipped = pushForResult("Perform Flip");
-    onEventThread(
-        () -> {
-          old.setExtendedState(Frame.ICONIFIED);
-          return null;
-        });
+    iconify(old);
     perform("Results to Front");
     await("no icon is left", () -> onEventThread(() -> old.getExtendedState() == Frame.NORMAL));
+    iconify(window);
     onEventThread(
         () -> {
-          window.setExtendedState(Frame.ICONIFIED);
           flipped.commands().get("Drawing to Front").perform();
           return null;
         });
@@ -78,6 +76,24 @@ class ViewsWindowTest extends WindowTest {
     perform("Results in This Window");
     assertThat(onEventThread(() -> window.commands().get("Results to Front").isEnabled()))
         .isFalse();
+  }
+
+  /** Makes a frame an icon and waits until it is one; the toolkit in memory does not tell. */
+  private void iconify(Frame frame) {
+    AtomicBoolean isIcon = new AtomicBoolean(!GuiToolkit.NATIVE);
+    onEventThread(
+        () -> {
+          frame.addWindowListener(
+              new WindowAdapter() {
+                @Override
+                public void windowIconified(WindowEvent e) {
+                  isIcon.set(true);
+                }
+              });
+          frame.setExtendedState(Frame.ICONIFIED);
+          return null;
+        });
+    await("it is an icon", isIcon::get);
   }
 
   @Test
