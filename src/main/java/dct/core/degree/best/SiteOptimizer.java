@@ -45,6 +45,7 @@ public final class SiteOptimizer {
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
   private static final double SHORT_EFFORT = 0.1; // of the first of many searches
+  private static final int MANY = 2000; // sites
   private static final int SEEDS_APART = 1 << 16; // of searches one after the other
   private static final int FEW = 4; // triangulations of a lattice from which searches begin anew
   private static final int ANEW = 1 << 16; // sites of all those searches together
@@ -164,7 +165,8 @@ public final class SiteOptimizer {
    * Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993).
    */
   private void searchAnew() {
-    search.solveStrips(bound.value(), SHORT_EFFORT * limits.effort());
+    double first = start.vertexCount() > MANY ? 1 : SHORT_EFFORT; // to begin anew would cost more
+    search.solveStrips(bound.value(), first * limits.effort());
     for (int k = 1; isOpen() && !clock.isCancelled(); k++) {
       SiteSearch other = searchFrom(start, SEEDS_APART * k);
       other.alignRectangles();
