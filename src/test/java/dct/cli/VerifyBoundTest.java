@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import dct.core.degree.bound.SmallSets;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -97,17 +98,20 @@ class VerifyBoundTest {
         .containsPattern("\"oddLowerBound\" says 4, but the optimum is [02] \\(\\d+ hull sites");
   }
 
+  private static String sitesOnSides(int onSide) {
+    double[] pairs = SmallSets.sidesOfTriangle(onSide);
+    StringBuilder sites = new StringBuilder(SITES);
+    for (int i = 0; i < pairs.length; i += 2) {
+      sites.append(pairs[i]).append(' ').append(pairs[i + 1]).append('\n');
+    }
+    return sites.toString();
+  }
+
   /** 275 sites of which nothing is proven, by too many triangles to refute sets of odd ones. */
   @Test
   void whatCannotBeRecomputedIsSaid() {
-    StringBuilder sites = new StringBuilder(SITES);
-    for (int i = 0; i < 90; i++) {
-      int j = 90 - i;
-      sites.append(i + " 0\n" + j + " " + i + "\n0 " + j + "\n");
-    }
-    sites.append("18 27\n27 18\n27 36\n36 9\n9 54\n");
     CliRun run =
-        CliRun.withInput(result(sites.toString(), 4, "a longer search").toString(), "verify", "-");
+        CliRun.withInput(result(sitesOnSides(90), 4, "a longer search").toString(), "verify", "-");
     assertThat(run.status()).as(run.out() + run.err()).isEqualTo(5);
     assertThat(run.out()).containsPattern("the lower bound: 4 was not recomputed, only [02] ");
   }
@@ -115,14 +119,8 @@ class VerifyBoundTest {
   /** 35 sites whose best triangulation has four odd ones: only the refutation of sets proves it. */
   @Test
   void aRefutationIsRecomputed() {
-    StringBuilder sites = new StringBuilder(SITES);
-    for (int i = 0; i < 10; i++) {
-      int j = 10 - i;
-      sites.append(i + " 0\n" + j + " " + i + "\n0 " + j + "\n");
-    }
-    sites.append("2 3\n3 2\n3 4\n4 1\n1 6\n");
     CliRun run =
-        CliRun.withInput(result(sites.toString(), 4, "a longer search").toString(), "verify", "-");
+        CliRun.withInput(result(sitesOnSides(10), 4, "a longer search").toString(), "verify", "-");
     assertThat(run.status()).as(run.out() + run.err()).isZero();
     assertThat(run.out())
         .contains("4 was recomputed (refuted: 596 sets of at most 2 odd vertices)");

@@ -72,12 +72,7 @@ final class WindowBound {
 
   /** The edge from the hull site at position k to the next one. */
   private int hullEdge(int k) {
-    for (int end : triangles.endsAt(ring.site(k))) {
-      if (triangles.site(end ^ 1) == ring.site(k + 1)) {
-        return end >> 1;
-      }
-    }
-    throw new IllegalStateException("no triangle on the hull edge at position " + k);
+    return triangles.edgeBetween(ring.site(k), ring.site(k + 1));
   }
 
   /**

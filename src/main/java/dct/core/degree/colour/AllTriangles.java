@@ -128,6 +128,20 @@ public final class AllTriangles {
     return endsAt[site];
   }
 
+  /**
+   * The edge between two sites, in time proportional to the edges at the first.
+   *
+   * @throws IllegalStateException if no triangle has such an edge
+   */
+  public int edgeBetween(int from, int to) {
+    for (int end : endsAt[from]) {
+      if (site(end ^ 1) == to) {
+        return end >> 1;
+      }
+    }
+    throw new IllegalStateException("no triangle on the edge from " + from + " to " + to);
+  }
+
   /** The site at this end of an edge. */
   public int site(int end) {
     return ends[end];

@@ -48,7 +48,7 @@ final class SignedSides {
     Arrays.fill(hullPosition, NONE);
     hullEdge = new int[ring.size()];
     for (int k = 0; k < hullEdge.length; k++) {
-      hullEdge[k] = findHullEdge(k);
+      hullEdge[k] = triangles.edgeBetween(ring.site(k), ring.site(k + 1));
       hullPosition[hullEdge[k]] = k;
     }
     crossed = new int[points.size()][];
@@ -69,15 +69,6 @@ final class SignedSides {
     boolean isNextLowest = isBelow(triangles.corner(next), triangles.corner(last));
     bottom[t] = next;
     flank[t] = triangles.edge(isNextLowest ? last : top);
-  }
-
-  private int findHullEdge(int k) {
-    for (int end : triangles.endsAt(ring.site(k))) {
-      if (triangles.site(end ^ 1) == ring.site(k + 1)) {
-        return end >> 1;
-      }
-    }
-    throw new IllegalStateException("no triangle on the hull edge at position " + k);
   }
 
   /** The triangles. */

@@ -20,13 +20,11 @@ public final class OddSetProof {
   private static final long STEPS = 30_000_000; // some seconds
 
   private final ParityGoal goal;
-  private final int stride; // between numbers of unmet sites that are possible
   private Optimum known;
 
   private OddSetProof(Optimum known) {
     this.known = known;
     goal = known.goal();
-    stride = stride(goal);
   }
 
   /**
@@ -81,7 +79,8 @@ public final class OddSetProof {
       switch (sets.search(unmet, mostSteps)) {
         case FOUND -> known = Optimum.of(sets.found(), goal, known.bound());
         case REFUTED ->
-            known = withBound(new LowerBound(unmet + stride, "refuted: " + refuted(goal, unmet)));
+            known =
+                withBound(new LowerBound(unmet + stride(goal), "refuted: " + refuted(goal, unmet)));
         case OPEN -> goesOn = false;
       }
     }

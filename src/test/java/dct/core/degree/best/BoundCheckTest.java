@@ -95,13 +95,7 @@ class BoundCheckTest {
   /** 270 sites on the sides of a triangle and five in it: too many triangles to refute sets. */
   @Test
   void whatIsNeitherProvenNorRefutedIsOpen() {
-    double[] pairs = new double[550];
-    for (int i = 0; i < 90; i++) {
-      double[] onSides = {i, 0, 90 - i, i, 0, 90 - i};
-      System.arraycopy(onSides, 0, pairs, 6 * i, 6);
-    }
-    double[] inside = {12, 18, 18, 12, 18, 24, 24, 6, 6, 36};
-    System.arraycopy(inside, 0, pairs, 540, 10);
+    double[] pairs = SmallSets.sidesOfTriangle(90);
     Sites sites = Sites.of(Points.ofPairs(pairs), NONE);
     BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(275), 4, NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.OPEN);
@@ -110,13 +104,7 @@ class BoundCheckTest {
 
   @Test
   void whatOnlyARefutationOfSetsProvesIsRecomputed() {
-    double[] pairs = new double[70];
-    for (int i = 0; i < 10; i++) {
-      double[] onSides = {i, 0, 10 - i, i, 0, 10 - i};
-      System.arraycopy(onSides, 0, pairs, 6 * i, 6);
-    }
-    double[] inside = {2, 3, 3, 2, 3, 4, 4, 1, 1, 6};
-    System.arraycopy(inside, 0, pairs, 60, 10);
+    double[] pairs = SmallSets.sidesOfTriangle(10);
     Sites sites = Sites.of(Points.ofPairs(pairs), NONE);
     BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(35), 4, NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.RECOMPUTED);

@@ -8,6 +8,7 @@ import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
+import dct.core.degree.bound.SmallSets;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
@@ -262,13 +263,7 @@ class SiteOptimizerTest {
   /** 270 sites on the sides of a triangle and five in it: nothing proves what is found. */
   @Test
   void what_is_open_is_searched_until_the_limit_of_time() {
-    double[] pairs = new double[550];
-    for (int i = 0; i < 90; i++) {
-      double[] onSides = {i, 0, 90 - i, i, 0, 90 - i};
-      System.arraycopy(onSides, 0, pairs, 6 * i, 6);
-    }
-    double[] inside = {12, 18, 18, 12, 18, 24, 24, 6, 6, 36};
-    System.arraycopy(inside, 0, pairs, 540, 10);
+    double[] pairs = SmallSets.sidesOfTriangle(90);
     Sites sites = Sites.of(Points.ofPairs(pairs), Progress.NONE);
     SearchLimits limits = new SearchLimits(1, 0.001, 8);
     Optimum best =

@@ -242,23 +242,9 @@ class BoundExplanationTest {
     return turn != 0;
   }
 
-  /** Sites on both axes and the origin. */
-  private static double[] cross(int level, int upright) {
-    double[] pairs = new double[4 * (level + upright) + 2];
-    for (int i = 0; i < level; i++) {
-      pairs[4 * i] = i + 1;
-      pairs[4 * i + 2] = -i - 1;
-    }
-    for (int i = level; i < level + upright; i++) {
-      pairs[4 * i + 1] = i - level + 1;
-      pairs[4 * i + 3] = level - i - 1;
-    }
-    return pairs;
-  }
-
   @Test
   void ofASmallCrossEverySetOfTwoIsRefuted() {
-    double[] pairs = cross(10, 10);
+    double[] pairs = SmallSets.cross(10, 10);
     Explanation why = allEven(delaunay(pairs), 4);
     assertThat(why.title()).isEqualTo("Refuted: 821 sets of at most 2 odd vertices");
     List<Mark.Vertex> marked = marks(why, Mark.Vertex.class);
@@ -269,7 +255,7 @@ class BoundExplanationTest {
 
   @Test
   void armsOfALargeCrossAreWindows() {
-    double[] pairs = cross(300, 3);
+    double[] pairs = SmallSets.cross(300, 3);
     Explanation why = allEven(delaunay(pairs), 4);
     List<Mark.Band> bands = marks(why, Mark.Band.class);
     assertThat(why.title()).isEqualTo(bands.size() + " windows cannot be all even");

@@ -140,4 +140,32 @@ public final class SmallSets {
     }
     return ParityGoal.of(wishes);
   }
+
+  /** Sites on both axes, so many on each half of one, and the origin: x0, y0, x1, y1, …. */
+  public static double[] cross(int level, int upright) {
+    double[] pairs = new double[4 * (level + upright) + 2];
+    for (int i = 0; i < level; i++) {
+      pairs[4 * i] = i + 1;
+      pairs[4 * i + 2] = -i - 1;
+    }
+    for (int i = level; i < level + upright; i++) {
+      pairs[4 * i + 1] = i - level + 1;
+      pairs[4 * i + 3] = level - i - 1;
+    }
+    return pairs;
+  }
+
+  /** So many sites on each side of a triangle and five in it: x0, y0, x1, y1, …. */
+  public static double[] sidesOfTriangle(int onSide) {
+    double[] inside = {2, 3, 3, 2, 3, 4, 4, 1, 1, 6};
+    double[] pairs = new double[6 * onSide + inside.length];
+    for (int i = 0; i < onSide; i++) {
+      double[] onSides = {i, 0, onSide - i, i, 0, onSide - i};
+      System.arraycopy(onSides, 0, pairs, 6 * i, 6);
+    }
+    for (int i = 0; i < inside.length; i++) {
+      pairs[6 * onSide + i] = inside[i] * onSide / 10;
+    }
+    return pairs;
+  }
 }

@@ -63,14 +63,8 @@ class WindowBoundTest {
 
   /** Sites on both axes, the same number on each arm, and the origin. */
   private static Triangulation cross(int onArm) {
-    double[] pairs = new double[8 * onArm + 2];
-    for (int i = 0; i < onArm; i++) {
-      pairs[8 * i] = i + 1;
-      pairs[8 * i + 2] = -i - 1;
-      pairs[8 * i + 5] = i + 1;
-      pairs[8 * i + 7] = -i - 1;
-    }
-    return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
+    Points points = Points.ofPairs(SmallSets.cross(onArm, onArm));
+    return Delaunay.triangulate(Sites.of(points, Progress.NONE), Progress.NONE);
   }
 
   @Test

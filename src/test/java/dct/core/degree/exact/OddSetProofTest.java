@@ -7,6 +7,7 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.bound.SmallSets;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -32,16 +33,8 @@ class OddSetProofTest {
     return Delaunay.triangulate(Sites.of(Points.ofPairs(pairs), Progress.NONE), Progress.NONE);
   }
 
-  /** Sites on both axes, the same number on each arm, and the origin. */
   private static Triangulation cross(int onArm) {
-    double[] pairs = new double[8 * onArm + 2];
-    for (int i = 0; i < onArm; i++) {
-      pairs[8 * i] = i + 1;
-      pairs[8 * i + 2] = -i - 1;
-      pairs[8 * i + 5] = i + 1;
-      pairs[8 * i + 7] = -i - 1;
-    }
-    return triangulation(pairs);
+    return triangulation(SmallSets.cross(onArm, onArm));
   }
 
   private static Optimum improve(Triangulation start, ParityGoal goal) {
