@@ -8,6 +8,7 @@ import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import dct.ui.document.ResultTitle;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -54,8 +55,9 @@ final class CanvasWords {
   private static String triangulation(Document document, Analysis shown) {
     Optional<Result> result = document.result();
     return result
-        .map(made -> made.title() + ": " + counts(made.solution()))
-        .or(() -> shown.solution().map(s -> s.methodTitle() + ": " + counts(s)))
+        .map(Result::solution)
+        .or(shown::solution)
+        .map(made -> ResultTitle.of(made) + ": " + counts(made))
         .orElse("not triangulated");
   }
 

@@ -7,8 +7,10 @@ import dct.ui.canvas.CanvasPanel;
 import dct.ui.result.ResultView;
 import dct.ui.solve.ResultFrame;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Point;
+import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
@@ -260,6 +262,40 @@ class ViewsWindowTest extends WindowTest {
     assertThat(words).anyMatch(word -> word.startsWith("Perform Flip after Monotone"));
     perform("Undo");
     await("one less", () -> onEventThread(table::getRowCount) == 2);
+  }
+
+  @Test
+  void aLongVerdictIsSeenInFullOnASmallScreen() {
+    draw();
+    perform("Most Even Vertices");
+    perform("Convex Polygon Odd Triangulation");
+    await("the frames", () -> results().size() == 2);
+    perform("Table of Results");
+    JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+    onEventThread(
+        () -> {
+          Window dialog = SwingUtilities.getWindowAncestor(table);
+          dialog.setSize(800, 300);
+          dialog.validate();
+          return null;
+        });
+    await("the table is narrower", () -> onEventThread(table::getWidth) < 800);
+    int last = table.getColumnCount() - 1;
+    for (int row = 0; row < 2; row++) {
+      int shown = row;
+      Dimension needed =
+          onEventThread(
+              () -> {
+                Component cell =
+                    table.prepareRenderer(table.getCellRenderer(shown, last), shown, last);
+                cell.setSize(table.getCellRect(shown, last, false).getSize());
+                return cell.getPreferredSize();
+              });
+      assertThat(needed.width).isLessThanOrEqualTo(table.getCellRect(row, last, false).width);
+      assertThat(needed.height).isLessThanOrEqualTo(table.getCellRect(row, last, false).height + 1);
+      assertThat(table.getCellRect(row, last, true).getMaxX()).isLessThanOrEqualTo(800);
+    }
+    assertThat(onEventThread(() -> table.getValueAt(0, 0))).isEqualTo("Most Even Vertices");
   }
 
   @Test

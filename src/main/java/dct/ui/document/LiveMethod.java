@@ -19,7 +19,8 @@ import java.util.stream.Stream;
  */
 public record LiveMethod(String title, Optional<Method> method) {
   /** The triangulation in which the most vertices are even. */
-  public static final LiveMethod MOST_EVEN = new LiveMethod("Most Even Vertices", Optional.empty());
+  public static final LiveMethod MOST_EVEN =
+      new LiveMethod(MostVertices.EVEN.title(), Optional.empty());
 
   /** While the mouse drags, what is not solved by then is the best found. */
   private static final SearchLimits HURRIED = new SearchLimits(1, 0.1, 0.25);

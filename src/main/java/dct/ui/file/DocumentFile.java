@@ -22,6 +22,7 @@ import dct.problem.verify.Verdict.Outcome;
 import dct.ui.document.Document;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
+import dct.ui.document.ResultTitle;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -119,13 +120,7 @@ public final class DocumentFile {
 
   private static Result result(Domain domain, Solution made) {
     int view = domain == Domain.SITES ? Result.CANVAS : Result.OPENED;
-    return Result.of(view, title(made), made);
-  }
-
-  private static String title(Solution made) {
-    String method = made.methodTitle();
-    String plain = made.flips().isPresent() ? "Perform Flip after " + method : method;
-    return made.optimum().map(best -> MostVertices.title(best.goal())).orElse(plain);
+    return Result.of(view, ResultTitle.of(made), made);
   }
 
   /** Whether a file of this name keeps wishes and triangulation, too. */

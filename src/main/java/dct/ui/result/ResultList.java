@@ -6,6 +6,7 @@ import dct.problem.Solution;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import dct.ui.document.ResultTitle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -15,8 +16,6 @@ import java.util.Optional;
  * triangulation of sites. Of flips that follow each other by hand the last one counts.
  */
 public final class ResultList {
-  private static final String DELAUNAY = "Delaunay";
-
   private Optional<Result> delaunay = Optional.empty(); // it is no step of the history
 
   /** The results, in linear time. */
@@ -42,7 +41,7 @@ public final class ResultList {
   private Result asResult(Solution solution) {
     return delaunay
         .filter(known -> isSame(known.solution(), solution))
-        .orElseGet(() -> Result.of(Result.CANVAS, DELAUNAY, solution));
+        .orElseGet(() -> Result.of(Result.CANVAS, ResultTitle.of(solution), solution));
   }
 
   private static boolean isSame(Solution known, Solution other) {

@@ -39,11 +39,6 @@ public record ResultRow(
     return result.title();
   }
 
-  /** The method that made the first triangulation. */
-  public String method() {
-    return result.solution().methodTitle();
-  }
-
   /** Seconds that it took, if that was measured. */
   public Optional<Double> seconds() {
     return result.time().map(ResultRow::seconds);

@@ -10,8 +10,9 @@ import javax.swing.table.AbstractTableModel;
 final class ResultRows extends AbstractTableModel {
   private static final long serialVersionUID = 1L;
   private static final List<String> COLUMNS =
-      List.of("Result", "Method", "Even", "Odd", "Bound", "Flips", "Time (s)", "Verdict");
-  private static final int TIME = 6;
+      List.of("Method", "Even", "Odd", "Bound", "Flips", "Time (s)", "Verdict");
+  private static final int TIME = 5;
+  static final int VERDICT = 6;
 
   private transient List<ResultRow> rows = List.of();
   private transient IdentityHashMap<Result, ResultRow> known =
@@ -59,7 +60,7 @@ final class ResultRows extends AbstractTableModel {
   @Override
   public Class<?> getColumnClass(int column) {
     return switch (column) {
-      case 2, 3, 4, 5 -> Integer.class;
+      case 1, 2, 3, 4 -> Integer.class;
       case TIME -> Double.class;
       default -> String.class;
     };
@@ -71,11 +72,10 @@ final class ResultRows extends AbstractTableModel {
     ResultRow row = rows.get(index);
     return switch (column) {
       case 0 -> row.title();
-      case 1 -> row.method();
-      case 2 -> row.even();
-      case 3 -> row.odd();
-      case 4 -> row.bound();
-      case 5 -> row.flips().orElse(null);
+      case 1 -> row.even();
+      case 2 -> row.odd();
+      case 3 -> row.bound();
+      case 4 -> row.flips().orElse(null);
       case TIME -> row.seconds().orElse(null);
       default -> row.verdict();
     };

@@ -23,6 +23,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
 
 /**
  * The table of the results of the present points: a click on a head sorts, choosing a row brings
@@ -31,8 +32,8 @@ import javax.swing.table.DefaultTableCellRenderer;
 public final class ResultTable extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final int MARGIN = 10;
-  private static final Dimension SIZE = new Dimension(1200, 200);
-  private static final int WIDEST = 560; // of a column
+  private static final Dimension SIZE = new Dimension(1100, 240);
+  private static final int LEAST = 240; // of the verdict, which wraps
   private static final int ROOM = 24; // in a cell, for the arrow of the sorting
 
   private final ResultRows rows = new ResultRows();
@@ -75,13 +76,18 @@ public final class ResultTable extends JDialog {
     table.setName("results");
     table.getAccessibleContext().setAccessibleName("Results of these points");
     table.setAutoCreateRowSorter(true);
-    table.setAutoResizeMode(JTable.AUTO_RESIZE_OFF);
+    table.getTableHeader().setReorderingAllowed(false);
+    table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
     table.setDefaultRenderer(Object.class, new Cells(SwingConstants.LEADING));
     table.setDefaultRenderer(Number.class, new Cells(SwingConstants.TRAILING));
+    table.setDefaultRenderer(Double.class, new Cells(SwingConstants.TRAILING));
     table.setFillsViewportHeight(true);
+    TableColumn verdict = table.getColumnModel().getColumn(ResultRows.VERDICT);
+    verdict.setCellRenderer(new SentenceCells());
+    verdict.addPropertyChangeListener(e -> fitRows(e.getPropertyName()));
   }
 
-  /** Makes each column as wide as what is in it. */
+  /** Makes each column as wide as what is in it; the last one takes what is left and wraps. */
   private void fitColumns() {
     FontMetrics letters = table.getFontMetrics(table.getFont());
     for (int column = 0; column < table.getColumnCount(); column++) {
@@ -90,7 +96,16 @@ public final class ResultTable extends JDialog {
         String text = ResultRows.text(table.getValueAt(row, column));
         widest = Math.max(widest, letters.stringWidth(text));
       }
-      table.getColumnModel().getColumn(column).setPreferredWidth(Math.min(WIDEST, widest + ROOM));
+      TableColumn model = table.getColumnModel().getColumn(column);
+      boolean wraps = column == ResultRows.VERDICT;
+      model.setMinWidth(wraps ? Math.min(LEAST, widest + ROOM) : widest + ROOM);
+      model.setPreferredWidth(widest + ROOM);
+    }
+  }
+
+  private void fitRows(String changed) {
+    if ("width".equals(changed)) {
+      SentenceCells.fitRows(table, ResultRows.VERDICT);
     }
   }
 
@@ -141,6 +156,7 @@ public final class ResultTable extends JDialog {
     showing = true;
     if (rows.show(results)) {
       fitColumns();
+      SentenceCells.fitRows(table, ResultRows.VERDICT);
       for (int index = 0; index < results.size(); index++) {
         if (before.contains(results.get(index))) {
           int view = table.convertRowIndexToView(index);

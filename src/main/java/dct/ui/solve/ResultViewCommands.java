@@ -196,6 +196,7 @@ public final class ResultViewCommands {
     }
     table.show(all());
     table.setVisible(true);
+    table.toFront(); // of a frame of results from which it was asked for, too
   }
 
   /** The result that the canvas shows is in front when the window is. */

@@ -10,6 +10,7 @@ import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.document.Result;
+import dct.ui.document.ResultTitle;
 import dct.ui.workbench.Workbench;
 import java.time.Duration;
 import java.util.Optional;
@@ -23,7 +24,6 @@ import java.util.function.Supplier;
  * history. Polygons are triangulated first if they have to be, by the method chosen last.
  */
 public final class ResultWork {
-  private static final String FLIP = "Perform Flip";
 
   private final Workbench workbench;
   private final Consumer<Late> late;
@@ -60,7 +60,6 @@ public final class ResultWork {
     submit(
         editor,
         chosen.title(),
-        chosen.title(),
         progress -> Solution.of(document.instance(name, progress), chosen, progress));
   }
 
@@ -83,21 +82,11 @@ public final class ResultWork {
   }
 
   private void flip(Editor editor) {
-    String title = editor.domain() == Domain.SITES ? FLIP : FLIP + " after " + before(editor);
     start(editor, "flip")
         .ifPresent(
             start ->
-                submit(editor, FLIP, title, progress -> start.apply(progress).flipped(progress)));
-  }
-
-  private String before(Editor editor) {
-    return editor
-        .document()
-        .result()
-        .map(
-            made ->
-                made.solution().flips().isEmpty() ? made.title() : made.solution().methodTitle())
-        .orElse(method.title());
+                submit(
+                    editor, ResultTitle.FLIP, progress -> start.apply(progress).flipped(progress)));
   }
 
   /**
@@ -125,7 +114,7 @@ public final class ResultWork {
       workbench
           .jobs()
           .submitSearch(
-              what, timed(search, view, what), result -> accept(editor, what, document, result));
+              what, timed(search, view), result -> accept(editor, what, document, result));
     }
   }
 
@@ -156,23 +145,21 @@ public final class ResultWork {
     return shown.map(solution -> progress -> solution);
   }
 
-  private void submit(
-      Editor editor, String label, String title, Function<Progress, Solution> work) {
+  private void submit(Editor editor, String label, Function<Progress, Solution> work) {
     Document document = editor.document();
     int view = view(editor);
     workbench
         .jobs()
-        .submit(label, timed(work, view, title), result -> accept(editor, label, document, result));
+        .submit(label, timed(work, view), result -> accept(editor, label, document, result));
   }
 
   /** Work that says how long it took. */
-  private static Function<Progress, Result> timed(
-      Function<Progress, Solution> work, int view, String title) {
+  private static Function<Progress, Result> timed(Function<Progress, Solution> work, int view) {
     return progress -> {
       long start = System.nanoTime();
       Solution made = work.apply(progress);
       Duration time = Duration.ofNanos(System.nanoTime() - start);
-      return Result.of(view, title, made).taking(time);
+      return Result.of(view, ResultTitle.of(made), made).taking(time);
     };
   }
 

@@ -3,8 +3,9 @@ package dct.ui.solve;
 import dct.core.triangulate.Domain;
 import dct.problem.Method;
 import dct.ui.command.CommandRegistry;
+import dct.ui.document.MostVertices;
+import dct.ui.document.ResultTitle;
 import dct.ui.edit.WishWork;
-import dct.ui.file.MostVertices;
 import dct.ui.workbench.Workbench;
 import java.util.Map;
 
@@ -57,7 +58,7 @@ public final class TriangulateCommands {
   private void offerImprovements(CommandRegistry commands, WishWork wishes) {
     commands
         .add(
-            "Perform Flip",
+            ResultTitle.FLIP,
             "shift F",
             "Flips diagonals so that more vertices are even",
             results::flip)

@@ -38,7 +38,7 @@ class ResultListTest {
 
   @Test
   void sitesBeginWithDelaunayAndUndoTakesTheFlipsAway() {
-    assertThat(list.of(editor)).extracting(Result::title).containsExactly("Delaunay");
+    assertThat(list.of(editor)).extracting(Result::title).containsExactly("Delaunay Triangulation");
     Result flipped = flip();
     assertThat(list.of(editor)).hasSize(2).endsWith(flipped);
     editor.undo();
@@ -54,7 +54,7 @@ class ResultListTest {
   void resultsOfEarlierPointsAreLeftOut() {
     flip();
     editor.perform(Edit.move(editor.document(), 3, 195, 111));
-    assertThat(list.of(editor)).extracting(Result::title).containsExactly("Delaunay");
+    assertThat(list.of(editor)).extracting(Result::title).containsExactly("Delaunay Triangulation");
     editor.undo();
     assertThat(list.of(editor)).hasSize(2);
   }

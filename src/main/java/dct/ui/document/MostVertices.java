@@ -1,4 +1,4 @@
-package dct.ui.file;
+package dct.ui.document;
 
 import dct.core.degree.ParityGoal;
 
@@ -18,7 +18,7 @@ public enum MostVertices {
   }
 
   /** The title of a result that was made for this goal, whichever it is. */
-  public static String title(ParityGoal goal) {
+  static String title(ParityGoal goal) {
     return goal.equals(EVEN.goal(goal.size()))
         ? EVEN.title
         : goal.equals(ODD.goal(goal.size())) ? ODD.title : "Wished Parities";
