@@ -8,7 +8,8 @@ import java.util.List;
 
 /**
  * Draws marks over a scene, so that what is below them can still be seen: areas as hatches inside
- * their boundary, vertices as rings with a label. Linear in the number of marks.
+ * their boundary, vertices as rings with a label where there is room for it. Linear in the number
+ * of marks, and with labels of vertices and edges in sight.
  */
 public final class MarkPainter {
   private static final double INSET = 0.88; // of an area, from its centre
@@ -43,6 +44,15 @@ public final class MarkPainter {
     MarkPainter painter = new MarkPainter(scene, view, screen.grown(REACH), pen);
     for (Mark mark : marks) {
       painter.paint(mark);
+    }
+    List<Mark.Vertex> labelled =
+        marks.stream()
+            .filter(Mark.Vertex.class::isInstance)
+            .map(Mark.Vertex.class::cast)
+            .filter(mark -> !mark.label().isEmpty())
+            .toList();
+    if (!labelled.isEmpty() && !painter.isCrowded()) {
+      painter.labels(labelled, screen);
     }
   }
 
@@ -83,27 +93,31 @@ public final class MarkPainter {
   private void vertex(Mark.Vertex mark) {
     double x = x(mark.vertex());
     double y = y(mark.vertex());
-    if (!screen.holds(x, y)) {
-      return;
-    }
-    boolean crowded = dot < CROWDED;
-    double radius = crowded ? dot + 1.5 : dot + RING_GAP;
-    pen.style(Stroke.solid(ink(mark.tone()), crowded ? 1.5 : 2.5));
-    pen.ring(x, y, radius);
-    if (!crowded && !mark.label().isEmpty()) {
-      label(x, y, radius + 0.7 * SIZE, mark.label());
+    if (screen.holds(x, y)) {
+      pen.style(Stroke.solid(ink(mark.tone()), isCrowded() ? 1.5 : 2.5));
+      pen.ring(x, y, ringRadius());
     }
   }
 
-  /** Writes a label on the side of a vertex that looks away from the middle of the scene. */
-  private void label(double x, double y, double distance, String text) {
-    double dx = scene.bounds().map(box -> x - view.screenX(box.centerX())).orElse(0.0);
-    double dy = scene.bounds().map(box -> y - view.screenY(box.centerY())).orElse(0.0);
-    double length = Math.hypot(dx, dy);
-    boolean isMiddle = length < 1;
-    double atX = isMiddle ? x : x + dx / length * distance;
-    double atY = isMiddle ? y - distance : y + dy / length * distance;
-    pen.text(atX, atY + 0.36 * SIZE, Anchor.MIDDLE, SIZE, text);
+  private boolean isCrowded() {
+    return dot < CROWDED;
+  }
+
+  private double ringRadius() {
+    return isCrowded() ? dot + 1.5 : dot + RING_GAP;
+  }
+
+  /** Writes the labels of vertices, each where there is room for it beside its ring. */
+  private void labels(List<Mark.Vertex> labelled, Box inSight) {
+    LabelPlaces places = new LabelPlaces(scene, view, inSight, dot, SIZE);
+    labelled.forEach(mark -> places.take(mark.vertex(), ringRadius()));
+    places.takeEdges();
+    for (Mark.Vertex mark : labelled) {
+      if (places.isNear(mark.vertex())) {
+        pen.style(Stroke.fill(ink(mark.tone())));
+        places.label(mark.vertex(), mark.label(), ringRadius(), pen);
+      }
+    }
   }
 
   /** A boundary a little inside the area's, and but for white a hatch in it. */
