@@ -91,7 +91,8 @@ final class ChosenShape {
         Optional.empty(),
         notes,
         isOwn(),
-        yUp);
+        yUp,
+        Optional.empty());
   }
 
   private boolean isOwn() {

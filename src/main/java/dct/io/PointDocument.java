@@ -50,19 +50,6 @@ public final class PointDocument {
       Optional<Claims> claims,
       List<String> notes,
       boolean own,
-      boolean yUp) {
-    this(source, declared, otherwise, points, lines, claims, notes, own, yUp, Optional.empty());
-  }
-
-  private PointDocument(
-      String source,
-      Optional<Domain> declared,
-      Domain otherwise,
-      Points points,
-      int[] lines,
-      Optional<Claims> claims,
-      List<String> notes,
-      boolean own,
       boolean yUp,
       Optional<Solution> found) {
     this.source = source;
@@ -96,7 +83,8 @@ public final class PointDocument {
         Optional.empty(),
         List.of(),
         true,
-        false);
+        false,
+        Optional.empty());
   }
 
   /**
@@ -114,7 +102,8 @@ public final class PointDocument {
         Optional.of(claims).filter(said -> fits(said, choice.as())),
         List.of(),
         true,
-        false);
+        false,
+        Optional.empty());
   }
 
   private static boolean fits(Claims claims, Optional<Domain> as) {

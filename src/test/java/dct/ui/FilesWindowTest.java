@@ -22,7 +22,6 @@ import javax.imageio.ImageIO;
 import org.assertj.swing.finder.JFileChooserFinder;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
-import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -602,26 +601,5 @@ class FilesWindowTest extends WindowTest {
     menu("Open");
     typeName(file.toString());
     robot.waitForIdle();
-  }
-
-  private void typeName(String name) {
-    JFileChooserFixture chooser =
-        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    fill(new JTextComponentFixture(robot, nameField(chooser)), name);
-    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
-    await("the file panel is closed", () -> !chooser.target().isShowing());
-    robot.waitForIdle();
-  }
-
-  /** The one field that is not for another answer beside the file. */
-  private javax.swing.JTextField nameField(JFileChooserFixture chooser) {
-    return (javax.swing.JTextField)
-        robot
-            .finder()
-            .find(
-                chooser.target(),
-                each ->
-                    each instanceof javax.swing.JTextField
-                        && !(each.getParent() instanceof javax.swing.JComboBox));
   }
 }

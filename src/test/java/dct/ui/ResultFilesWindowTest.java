@@ -15,8 +15,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
-import org.assertj.swing.finder.JFileChooserFinder;
-import org.assertj.swing.fixture.JFileChooserFixture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -35,17 +33,17 @@ class ResultFilesWindowTest extends WindowTest {
     draw();
     ResultFrame frame = pushForResult("Monotone Polygon Triangulation");
     typeIn(frame, KeyEvent.VK_S, KeyEvent.VK_CONTROL);
-    typeName(folder.resolve("mine").toString()); // nothing says in what kind of file
+    saveAs(folder.resolve("mine").toString()); // nothing says in what kind of file
     Path file = folder.resolve("mine_polygonbased.json");
     assertThat(status(frame)).isEqualTo("Saved " + file);
     assertThat(window.getTitle()).startsWith("mine_polygonbased.json");
     assertThat(file).content().contains("\"edges\"");
 
     typeIn(frame, KeyEvent.VK_S, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
-    typeName(points.toString());
+    saveAs(points.toString());
     assertThat(points).exists();
     typeIn(frame, KeyEvent.VK_S, KeyEvent.VK_CONTROL); // that file keeps no triangulation
-    typeName(folder.resolve("again").toString());
+    saveAs(folder.resolve("again").toString());
     assertThat(folder.resolve("again_polygonbased.json")).hasSameTextualContentAs(file);
   }
 
@@ -55,7 +53,7 @@ class ResultFilesWindowTest extends WindowTest {
     draw();
     ResultFrame frame = pushForResult("Monotone Polygon Triangulation");
     typeIn(frame, KeyEvent.VK_S, KeyEvent.VK_CONTROL);
-    typeName(file.toString());
+    saveAs(file.toString());
     perform("Perform Flip");
     await("the flips", () -> results().size() == 2);
     ResultFrame flipped =
@@ -72,7 +70,7 @@ class ResultFilesWindowTest extends WindowTest {
     ResultFrame monotone = pushForResult("Monotone Polygon Triangulation");
     perform("Perform Flip");
     perform("Save As");
-    typeName(folder.resolve("mine.json").toString());
+    saveAs(folder.resolve("mine.json").toString());
     assertThat(title()).startsWith("mine.json");
     perform(monotone.commands(), "Undo");
     assertThat(title()).startsWith("*mine.json");
@@ -88,10 +86,10 @@ class ResultFilesWindowTest extends WindowTest {
     Optional<Solution> first = solution();
     perform("Perform Flip");
     perform("Save As");
-    typeName(own.toString());
+    saveAs(own.toString());
     String before = Files.readString(own);
     perform(monotone.commands(), "Save");
-    typeName(folder.resolve("copy").toString());
+    saveAs(folder.resolve("copy").toString());
     assertThat(own).hasContent(before);
     assertThat(window.getTitle()).startsWith("mine.json");
     onEventThread(
@@ -157,12 +155,8 @@ class ResultFilesWindowTest extends WindowTest {
     settle();
   }
 
-  private void typeName(String name) {
-    JFileChooserFixture chooser =
-        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
-    fill(chooser.fileNameTextBox(), name);
-    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
-    await("the file panel is closed", () -> !chooser.target().isShowing());
+  private void saveAs(String name) {
+    typeName(name);
     settle();
   }
 

@@ -124,17 +124,6 @@ class SessionWindowTest extends WindowTest {
     }
   }
 
-  private void typeName(String name) {
-    JFileChooserFixture chooser =
-        org.assertj.swing.finder.JFileChooserFinder.findFileChooser()
-            .withTimeout(PATIENCE_MILLIS)
-            .using(robot);
-    fill(chooser.fileNameTextBox(), name);
-    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
-    await("the file panel is closed", () -> !chooser.target().isShowing());
-    robot.waitForIdle();
-  }
-
   @Test
   void exitSavesWhatIsNotSavedAndThenCloses() {
     drawTriangle();

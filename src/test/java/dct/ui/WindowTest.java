@@ -18,6 +18,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -25,14 +26,18 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JFrame;
 import javax.swing.JOptionPane;
+import javax.swing.JTextField;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.finder.JFileChooserFinder;
 import org.assertj.swing.finder.JOptionPaneFinder;
 import org.assertj.swing.finder.WindowFinder;
 import org.assertj.swing.fixture.FrameFixture;
+import org.assertj.swing.fixture.JFileChooserFixture;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.assertj.swing.fixture.JTextComponentFixture;
 import org.junit.jupiter.api.AfterEach;
@@ -205,6 +210,26 @@ abstract class WindowTest {
   void fill(JTextComponentFixture field, String text) {
     field.deleteText().enterText(text);
     await("the text", () -> text.equals(field.text()));
+  }
+
+  /** Types a file's name into the file panel and presses Enter. */
+  void typeName(String name) {
+    JFileChooserFixture chooser =
+        JFileChooserFinder.findFileChooser().withTimeout(PATIENCE_MILLIS).using(robot);
+    fill(new JTextComponentFixture(robot, nameField(chooser)), name);
+    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
+    await("the file panel is closed", () -> !chooser.target().isShowing());
+    robot.waitForIdle();
+  }
+
+  /** The one field that is not for another answer beside the file. */
+  private JTextField nameField(JFileChooserFixture chooser) {
+    return (JTextField)
+        robot
+            .finder()
+            .find(
+                chooser.target(),
+                each -> each instanceof JTextField && !(each.getParent() instanceof JComboBox));
   }
 
   /** The points of the document that is shown. */

@@ -5,6 +5,7 @@ import java.util.OptionalInt;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
 
 /**
  * Questions and messages, in sentences that wrap. Enter takes the answer by which nothing is lost,
@@ -80,20 +81,42 @@ public final class Ask {
    * @return whether OK was chosen
    */
   static boolean fill(Component parent, String title, Component content, Runnable begin) {
+    return choose(parent, title, content, begin, "OK", "Cancel") == 0;
+  }
+
+  /**
+   * Asks by components and several answers; the number of the one chosen, or −1. Enter gives the
+   * first.
+   *
+   * @param begin gives the first of the components the focus
+   */
+  static int choose(
+      Component parent, String title, Component content, Runnable begin, String... answers) {
     JOptionPane pane =
-        new JOptionPane(content, JOptionPane.QUESTION_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+        new JOptionPane(
+            content,
+            JOptionPane.QUESTION_MESSAGE,
+            JOptionPane.DEFAULT_OPTION,
+            null,
+            answers,
+            answers[0]) {
           private static final long serialVersionUID = 1L;
 
           @Override
           public void selectInitialValue() {
-            super.selectInitialValue(); // makes OK the button of the Enter key
+            super.selectInitialValue(); // makes the first answer the button of the Enter key
             begin.run();
           }
         };
-    return Integer.valueOf(JOptionPane.OK_OPTION).equals(show(parent, title, pane));
+    return chosen(parent, title, pane, answers);
   }
 
-  private static int chosen(Component parent, String title, Pane pane, String... answers) {
+  /** Gives an answer of the question that a component is part of, as its button does. */
+  static void answer(Component part, String answer) {
+    ((JOptionPane) SwingUtilities.getAncestorOfClass(JOptionPane.class, part)).setValue(answer);
+  }
+
+  private static int chosen(Component parent, String title, JOptionPane pane, String... answers) {
     Object value = show(parent, title, pane);
     for (int i = 0; i < answers.length; i++) {
       if (answers[i].equals(value)) {
@@ -105,6 +128,7 @@ public final class Ask {
 
   private static Object show(Component parent, String title, JOptionPane pane) {
     JDialog dialog = pane.createDialog(parent, title);
+    dialog.setResizable(pane.getMessage() instanceof Component); // a list may want more room
     dialog.setVisible(true); // returns when it is closed
     dialog.dispose();
     return pane.getValue();

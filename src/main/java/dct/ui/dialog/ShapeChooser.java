@@ -10,10 +10,8 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
 import javax.swing.DefaultListCellRenderer;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
@@ -27,7 +25,7 @@ final class ShapeChooser {
 
   private final Shapes shapes;
   private final JList<Shape> list;
-  private final JOptionPane pane;
+  private final JPanel panel = new JPanel(new BorderLayout(0, GAP));
 
   private ShapeChooser(Shapes shapes) {
     this.shapes = shapes;
@@ -40,30 +38,17 @@ final class ShapeChooser {
     list.setFixedCellHeight(ShapeIcon.HEIGHT + GAP);
     list.setFixedCellWidth(420);
     list.setCellRenderer(new Cell());
-    JPanel panel = new JPanel(new BorderLayout(0, GAP));
     JLabel question = new JLabel(question());
     question.setDisplayedMnemonic('W');
     question.setLabelFor(list);
     panel.add(question, BorderLayout.NORTH);
     panel.add(new JScrollPane(list));
-    Object[] answers = {OPEN, AS_SITES, CANCEL};
-    pane =
-        new JOptionPane(
-            panel, JOptionPane.QUESTION_MESSAGE, JOptionPane.DEFAULT_OPTION, null, answers, OPEN) {
-          private static final long serialVersionUID = 1L;
-
-          @Override
-          public void selectInitialValue() {
-            super.selectInitialValue(); // makes Open the button of the Enter key
-            list.requestFocusInWindow();
-          }
-        };
     list.addMouseListener(
         new MouseAdapter() {
           @Override
           public void mouseClicked(MouseEvent e) {
             if (e.getClickCount() == 2) {
-              pane.setValue(OPEN);
+              Ask.answer(list, OPEN);
             }
           }
         });
@@ -83,17 +68,14 @@ final class ShapeChooser {
   }
 
   private Optional<Choice> ask(Component parent, String title, Choice before) {
-    JDialog dialog = pane.createDialog(parent, title);
-    dialog.setResizable(true);
-    dialog.setVisible(true); // returns when it is closed
-    dialog.dispose();
+    int answer =
+        Ask.choose(parent, title, panel, list::requestFocusInWindow, OPEN, AS_SITES, CANCEL);
     int chosen = list.getSelectedIndex();
-    if (AS_SITES.equals(pane.getValue())) {
-      return Optional.of(before.as(Domain.SITES));
-    }
-    return OPEN.equals(pane.getValue()) && chosen >= 0
-        ? Optional.of(before.picking(chosen + 1))
-        : Optional.empty();
+    return switch (answer) {
+      case 0 -> Optional.of(chosen).filter(k -> k >= 0).map(k -> before.picking(k + 1));
+      case 1 -> Optional.of(before.as(Domain.SITES));
+      default -> Optional.empty();
+    };
   }
 
   /** A shape with its picture and its description. */
