@@ -10,9 +10,23 @@ public final class EveryTriangulation {
   private final Points points; // counter-clockwise
   private final int n;
   private final int[] degree;
-  private final Consumer<int[]> visitor;
+  private final int[] triangles; // three positions each
+  private final Visitor visitor;
+  private int found; // triangles
 
-  private EveryTriangulation(SimplePolygon polygon, Consumer<int[]> visitor) {
+  /** Is told of each triangulation. */
+  @FunctionalInterface
+  public interface Visitor {
+    /**
+     * One triangulation; the arrays are used again for the next one.
+     *
+     * @param degrees by position on the counter-clockwise walk
+     * @param triangles three positions each, ascending
+     */
+    void accept(int[] degrees, int[] triangles);
+  }
+
+  private EveryTriangulation(SimplePolygon polygon, Visitor visitor) {
     int[] walk = polygon.walk();
     n = walk.length;
     double[] x = new double[n];
@@ -23,11 +37,17 @@ public final class EveryTriangulation {
     }
     points = Points.of(x, y);
     degree = new int[n];
+    triangles = new int[3 * (n - 2)];
     this.visitor = visitor;
   }
 
   /** Calls the visitor with the degrees, by position on the counter-clockwise walk. */
   public static void of(SimplePolygon polygon, Consumer<int[]> visitor) {
+    of(polygon, (degrees, triangles) -> visitor.accept(degrees));
+  }
+
+  /** Calls the visitor with the degrees and the triangles. */
+  public static void of(SimplePolygon polygon, Visitor visitor) {
     EveryTriangulation run = new EveryTriangulation(polygon, visitor);
     Arrays.fill(run.degree, 2);
     run.cut(new Chords(0, run.n - 1, null));
@@ -41,14 +61,19 @@ public final class EveryTriangulation {
       open = open.others;
     }
     if (open == null) {
-      visitor.accept(degree);
+      visitor.accept(degree, triangles);
       return;
     }
     for (int k = open.i + 1; k < open.j; k++) {
       if (isTriangle(open.i, k, open.j)) {
         count(open.i, k, 1);
         count(k, open.j, 1);
+        triangles[3 * found] = open.i;
+        triangles[3 * found + 1] = k;
+        triangles[3 * found + 2] = open.j;
+        found++;
         cut(new Chords(open.i, k, new Chords(k, open.j, open.others)));
+        found--;
         count(open.i, k, -1);
         count(k, open.j, -1);
       }

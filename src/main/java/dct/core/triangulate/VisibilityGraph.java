@@ -139,6 +139,48 @@ public final class VisibilityGraph {
     return downEnd[slot];
   }
 
+  /** The first pair (i, j) with j at or after {@code from}. */
+  public int pairFrom(int i, int from) {
+    int lo = upStart[i];
+    int hi = upStart[i + 1];
+    while (lo < hi) {
+      int middle = (lo + hi) >>> 1;
+      if (upEnd[middle] < from) {
+        lo = middle + 1;
+      } else {
+        hi = middle;
+      }
+    }
+    return lo;
+  }
+
+  /** The first slot (k, j) with k above i. */
+  public int slotAfter(int j, int i) {
+    int lo = downStart[j];
+    int hi = downStart[j + 1];
+    while (lo < hi) {
+      int middle = (lo + hi) >>> 1;
+      if (downEnd[middle] <= i) {
+        lo = middle + 1;
+      } else {
+        hi = middle;
+      }
+    }
+    return lo;
+  }
+
+  /** The lowest k above {@code after} that both i and j see, i &lt; k &lt; j, or j if none. */
+  public int commonAfter(int after, int i, int j) {
+    for (int slot = slotAfter(j, after); slot < downStart[j + 1]; slot++) {
+      int apex = downEnd[slot];
+      int left = slotAfter(apex, i) - 1;
+      if (left >= downStart[apex] && downEnd[left] == i) {
+        return apex;
+      }
+    }
+    return j;
+  }
+
   /** What one vertex sees; used again for the next one. */
   private static final class Cone {
     private final SimplePolygon polygon;

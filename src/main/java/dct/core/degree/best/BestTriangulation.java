@@ -3,6 +3,8 @@ package dct.core.degree.best;
 import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.Preference;
+import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
@@ -43,6 +45,20 @@ public final class BestTriangulation {
       SearchLimits limits,
       Progress progress) {
     return PolygonOptimizer.optimize(polygon, start, goal, limits, progress);
+  }
+
+  /**
+   * The best triangulation of a simple polygon, and among several equally good ones the most
+   * preferred.
+   */
+  public static Preferred of(
+      SimplePolygon polygon,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Preference preference,
+      Progress progress) {
+    return PolygonOptimizer.optimize(polygon, start, goal, limits, preference, progress);
   }
 
   /**

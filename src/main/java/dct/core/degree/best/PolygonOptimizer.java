@@ -9,11 +9,15 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.PartitioningAqt;
+import dct.core.degree.Preference;
+import dct.core.degree.Preferred;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
+import dct.core.degree.region.ChordTable;
 import dct.core.degree.region.ParityTable;
 import dct.core.degree.region.PolygonImprover;
+import dct.core.degree.region.PreferredTable;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EarClipping;
@@ -21,6 +25,7 @@ import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.core.triangulate.VisibilityGraph;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -56,24 +61,31 @@ public final class PolygonOptimizer {
 
   private static final long NEAR_STEPS = 2_000;
 
+  /** The pairs of a table of two costs: twice the memory a pair. */
+  private static final int MOST_PREFERRED_PAIRS = SearchLimits.MOST_PAIRS / 2;
+
   private final SimplePolygon polygon;
   private final ParityGoal goal;
   private final SearchLimits limits;
+  private final Preference preference; // null if there is none
   private final Deadline clock;
   private final Deadline early; // for what comes first, however short the limit is
   private final LowerBound bound;
   private Triangulation best;
   private boolean hasThesisBest;
+  private boolean isMostPreferred; // by the table
 
   private PolygonOptimizer(
       SimplePolygon polygon,
       Triangulation start,
       ParityGoal goal,
       SearchLimits limits,
+      Preference preference,
       Progress progress) {
     this.polygon = polygon;
     this.goal = goal;
     this.limits = limits;
+    this.preference = preference;
     clock = new Deadline(progress, limits.seconds());
     early = new Deadline(progress, Math.max(SearchLimits.GRACE, limits.seconds()));
     bound = PolygonBounds.of(polygon.size(), goal);
@@ -91,7 +103,26 @@ public final class PolygonOptimizer {
       ParityGoal goal,
       SearchLimits limits,
       Progress progress) {
-    return new PolygonOptimizer(polygon, start, goal, limits, progress).run();
+    return new PolygonOptimizer(polygon, start, goal, limits, null, progress).run();
+  }
+
+  /**
+   * The best triangulation, and among several equally good ones the most preferred; or the best
+   * found within the limits.
+   *
+   * @param start any triangulation of the polygon
+   */
+  static Preferred optimize(
+      SimplePolygon polygon,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Preference preference,
+      Progress progress) {
+    PolygonOptimizer optimizer =
+        new PolygonOptimizer(polygon, start, goal, limits, preference, progress);
+    Optimum optimum = optimizer.run();
+    return Preferred.of(optimum, preference, optimizer.isMostPreferred);
   }
 
   /**
@@ -134,13 +165,19 @@ public final class PolygonOptimizer {
   /** The best triangulation of those whose edges are all in the graph. */
   private static Triangulation table(
       SimplePolygon polygon, ParityGoal goal, VisibilityGraph graph, Progress progress) {
+    int[] costs = ParityTable.costs(wishes(polygon, goal));
+    return cut(polygon, ParityTable.fill(graph, costs, new int[0], progress));
+  }
+
+  private static ParityGoal.Wish[] wishes(SimplePolygon polygon, ParityGoal goal) {
     ParityGoal.Wish[] wishes = new ParityGoal.Wish[polygon.size()];
-    int[] corner = new int[wishes.length];
-    for (int k = 0; k < wishes.length; k++) {
-      wishes[k] = goal.wish(polygon.vertex(k));
-      corner[k] = 2 * k; // of the cycle made below
-    }
-    ParityTable table = ParityTable.fill(graph, ParityTable.costs(wishes), new int[0], progress);
+    Arrays.setAll(wishes, k -> goal.wish(polygon.vertex(k)));
+    return wishes;
+  }
+
+  private static Triangulation cut(SimplePolygon polygon, ChordTable table) {
+    int[] corner = new int[polygon.size()];
+    Arrays.setAll(corner, k -> 2 * k); // of the cycle
     Dcel dcel = Dcel.cycle(polygon.walk());
     table.cut(dcel, corner);
     return new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL);
@@ -159,20 +196,22 @@ public final class PolygonOptimizer {
   private Optimum run() {
     try {
       if (isSolvedByAqt(polygon, goal)) {
-        return aqt(polygon, goal, early);
+        best = Aqt.triangulate(polygon, early);
+      } else {
+        takeWhatIsQuick();
       }
-      if (Double.isFinite(limits.seconds()) || polygon.size() <= SMALL) {
-        takeThesisBest();
-      }
-      takeNearBest();
-      if (goal.unmet(best) == bound.value()) {
+      boolean isMet = goal.unmet(best) == bound.value();
+      if (isMet && preference == null) {
         return found(false);
       }
       VisibilityGraph graph = graph(polygon, best, clock);
       if (graph == null || ParityTable.steps(graph) > QUICK_STEPS) {
         takeThesisBest();
       }
-      if (graph != null) {
+      if (prefersByTable(graph, isMet)) {
+        return mostPreferred(graph, isMet);
+      }
+      if (graph != null && !isMet) {
         return proven(table(polygon, goal, graph, clock), goal);
       }
       best = new PolygonImprover(goal, limits, clock).run(best, bound.value());
@@ -180,6 +219,43 @@ public final class PolygonOptimizer {
       return found(true);
     }
     return found(clock.hasStruck());
+  }
+
+  private void takeWhatIsQuick() {
+    if (Double.isFinite(limits.seconds()) || polygon.size() <= SMALL) {
+      takeThesisBest();
+    }
+    takeNearBest();
+  }
+
+  /**
+   * Whether the table of two costs is filled: with a quick preference only if that takes little.
+   */
+  private boolean prefersByTable(VisibilityGraph graph, boolean isMet) {
+    return preference != null
+        && graph != null
+        && graph.pairs() <= MOST_PREFERRED_PAIRS
+        && (!preference.isQuick() || !isMet || ParityTable.steps(graph) <= QUICK_STEPS);
+  }
+
+  /** By the table of two costs; where time is limited, the faster one of one cost comes first. */
+  private Optimum mostPreferred(VisibilityGraph graph, boolean isMet) {
+    Optimum known = null;
+    if (!isMet && Double.isFinite(limits.seconds())) {
+      known = proven(table(polygon, goal, graph, clock), goal);
+    }
+    try {
+      ParityGoal.Wish[] wishes = wishes(polygon, goal);
+      PreferredTable table =
+          PreferredTable.fill(graph, wishes, preference, polygon.points(), polygon.walk(), clock);
+      isMostPreferred = true;
+      return proven(cut(polygon, table), goal);
+    } catch (CancellationException e) {
+      if (known != null) {
+        return known;
+      }
+      throw e;
+    }
   }
 
   private Optimum found(boolean interrupted) {

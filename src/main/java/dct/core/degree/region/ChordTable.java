@@ -1,5 +1,9 @@
 package dct.core.degree.region;
 
+import dct.core.dcel.Dcel;
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * The best triangulation of a simple polygon, when each vertex has a cost for an even number of
  * triangles and one for an odd number: a table over its chords, exact.
@@ -15,84 +19,16 @@ package dct.core.degree.region;
  * only those counted by r and s. An edge of the polygon has f[0][0] = 0 and no other entry. A chord
  * may have a cost of its own, which is added to its entries.
  *
- * <p>Which chords there are, and how the apexes of each are found, is left to the kinds of table:
- * {@link RegionTable} for few vertices, {@link ParityTable} for many. Each has its own copy of the
- * loop over the apexes, since that is where all the time goes. Ties go to the lowest apex.
+ * <p>What costs are is left to the kinds of table: small numbers ({@link UnmetTable}), or pairs of
+ * a number and of what is preferred where that is equal ({@link PreferredTable}).
  */
-abstract class ChordTable {
-  static final int INFINITE = 1 << 28; // three of these still add up without overflow
-
-  private final int[] costs;
-  // Four entries a chord each; f[p][q] is at 2p + q.
-  final int[] best; // f(k, j)
-  final int[] closed; // at 2p + s: min over r of f(i, k)[p][r] + w(k, 1 + r + s)
-
-  /**
-   * An empty table.
-   *
-   * @param costs by position k, the cost of an even number of triangles there, at 2k, and of an odd
-   *     one, at 2k + 1; read when the table is filled. All costs together stay below 2²⁸.
-   * @param chords the number of chords at most
-   */
-  ChordTable(int[] costs, int chords) {
-    this.costs = costs;
-    best = new int[4 * chords];
-    closed = new int[4 * chords];
-  }
-
-  // ---- filling
-
-  /**
-   * Stores the entries of a chord that ends at j.
-   *
-   * @param at where they go in {@link #best}
-   * @param closedAt where they go in {@link #closed}
-   */
-  final void store(int j, int at, int closedAt, int f00, int f01, int f10, int f11) {
-    best[at] = Math.min(INFINITE, f00);
-    best[at + 1] = Math.min(INFINITE, f01);
-    best[at + 2] = Math.min(INFINITE, f10);
-    best[at + 3] = Math.min(INFINITE, f11);
-    int even = costs[2 * j];
-    int odd = costs[2 * j + 1];
-    closed[closedAt] = Math.min(INFINITE, Math.min(f00 + odd, f01 + even));
-    closed[closedAt + 1] = Math.min(INFINITE, Math.min(f00 + even, f01 + odd));
-    closed[closedAt + 2] = Math.min(INFINITE, Math.min(f10 + odd, f11 + even));
-    closed[closedAt + 3] = Math.min(INFINITE, Math.min(f10 + even, f11 + odd));
-  }
-
-  // ---- reading
+public abstract class ChordTable {
 
   /** The number of vertices. */
   abstract int size();
 
-  /** Where the entries of the chord (i, j) are in {@link #best}. */
-  abstract int at(int i, int j);
-
-  /** What the chord (i, j) itself costs. */
-  abstract int own(int i, int j);
-
-  /** The lowest apex above {@code k} of a triangle on the chord (i, j), or j if there is none. */
-  abstract int apexAfter(int k, int i, int j);
-
-  /** The least cost of the whole polygon. */
-  public final int fewest() {
-    return total(ends());
-  }
-
   /** The parities, 2p + q, that the best triangulation has at the ends of the last edge. */
-  final int ends() {
-    int ends = 0;
-    for (int other = 1; other < 4; other++) {
-      ends = total(other) < total(ends) ? other : ends;
-    }
-    return ends;
-  }
-
-  private int total(int ends) {
-    int last = size() - 1;
-    return best[at(0, last) + ends] + costs[ends >> 1] + costs[2 * last + (ends & 1)];
-  }
+  abstract int ends();
 
   /**
    * The triangle on the chord (i, j) in the best triangulation with these parities at its ends.
@@ -100,20 +36,42 @@ abstract class ChordTable {
    * @return its apex k, and the parities at the ends of the chords (i, k) and (k, j), as 16k + 4(2p
    *     + r) + 2s + q
    */
-  final int triangle(int i, int j, int ends) {
-    int wanted = best[at(i, j) + ends] - own(i, j);
-    for (int k = apexAfter(i, i, j); k < j; k = apexAfter(k, i, j)) {
-      int left = at(i, k);
-      int right = at(k, j);
-      for (int rs = 0; rs < 4; rs++) {
-        int leftEnds = 2 * (1 - (ends >> 1)) + (rs >> 1);
-        int rightEnds = 2 * (rs & 1) + 1 - (ends & 1);
-        int apex = costs[2 * k + (1 ^ (rs >> 1) ^ (rs & 1))];
-        if (best[left + leftEnds] + apex + best[right + rightEnds] == wanted) {
-          return 16 * k + 4 * leftEnds + rightEnds;
-        }
+  abstract int triangle(int i, int j, int ends);
+
+  /**
+   * Cuts the face by the diagonals of a best triangulation.
+   *
+   * @param corner by position: the half-edge of the face that leaves the vertex there
+   */
+  public final void cut(Dcel dcel, int[] corner) {
+    List<Chord> waiting = new ArrayList<>();
+    waiting.add(new Chord(0, size() - 1, ends(), corner[size() - 1]));
+    while (!waiting.isEmpty()) {
+      Chord chord = waiting.remove(waiting.size() - 1);
+      if (chord.j > chord.i + 1) {
+        cutAtApex(dcel, corner, chord, waiting);
       }
     }
-    throw new IllegalStateException("no triangle on chord " + i + ", " + j);
+  }
+
+  /**
+   * A chord whose part is still whole.
+   *
+   * @param i its lower position
+   * @param j its higher position
+   * @param ends the parities of the triangles of the part at its ends, 2p + q
+   * @param back the half-edge along the chord that leaves j, with the part on its left
+   */
+  private record Chord(int i, int j, int ends, int back) {}
+
+  private void cutAtApex(Dcel dcel, int[] corner, Chord chord, List<Chord> waiting) {
+    int i = chord.i;
+    int j = chord.j;
+    int triangle = triangle(i, j, chord.ends);
+    int k = triangle >> 4;
+    int backLeft = k == i + 1 ? Dcel.NONE : dcel.splitFace(corner[i], corner[k]) ^ 1;
+    int backRight = j == k + 1 ? Dcel.NONE : dcel.splitFace(corner[k], chord.back) ^ 1;
+    waiting.add(new Chord(i, k, triangle >> 2 & 3, backLeft));
+    waiting.add(new Chord(k, j, triangle & 3, backRight));
   }
 }

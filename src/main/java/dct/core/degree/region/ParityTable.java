@@ -1,26 +1,17 @@
 package dct.core.degree.region;
 
 import dct.core.Progress;
-import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
 import dct.core.triangulate.VisibilityGraph;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.concurrent.ForkJoinTask;
-import java.util.concurrent.RecursiveAction;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * The {@link ChordTable} of a polygon of any size, over the pairs of vertices that see each other:
  * the fewest unmet vertices over all triangulations, and a triangulation that has them.
  *
  * <p>Time is the number of triangles that see through, at most n³/6, found by merging sorted lists;
- * memory 32 bytes a pair beside the 8 of the graph. The triangle of pairs is cut into blocks, and
- * the blocks of one anti-diagonal are computed in parallel.
+ * memory 32 bytes a pair beside the 8 of the graph.
  */
-public final class ParityTable extends ChordTable {
-  private static final int BLOCKS = 24;
-
+public final class ParityTable extends UnmetTable {
   private final VisibilityGraph graph;
   private final int[] noise; // by pair: what its chord costs; empty if nothing
   private final int n;
@@ -43,7 +34,7 @@ public final class ParityTable extends ChordTable {
   public static ParityTable fill(
       VisibilityGraph graph, int[] costs, int[] noise, Progress progress) {
     ParityTable table = new ParityTable(graph, costs, noise);
-    table.fillBlocks(progress);
+    PairBlocks.fill(graph, () -> table::fillPair, progress);
     return table;
   }
 
@@ -70,74 +61,6 @@ public final class ParityTable extends ChordTable {
 
   // ---- filling
 
-  private void fillBlocks(Progress progress) {
-    AtomicInteger done = new AtomicInteger();
-    int blocks = n < 16 * BLOCKS ? 1 : BLOCKS;
-    for (int distance = 0; distance < blocks; distance++) {
-      List<Block> diagonal = new ArrayList<>();
-      for (int b = 0; b + distance < blocks; b++) {
-        diagonal.add(new Block(b, b + distance, blocks, done, progress));
-      }
-      ForkJoinTask.invokeAll(diagonal);
-    }
-  }
-
-  /** The pairs (i, j) with i in one range of positions and j in another. */
-  private final class Block extends RecursiveAction {
-    private static final long serialVersionUID = 1L;
-    private final int rowStart;
-    private final int rowEnd;
-    private final int columnStart;
-    private final int columnEnd;
-    private final int blocks;
-    private final transient AtomicInteger done;
-    private final transient Progress progress;
-
-    Block(int row, int column, int blocks, AtomicInteger done, Progress progress) {
-      rowStart = bound(row, blocks);
-      rowEnd = bound(row + 1, blocks);
-      columnStart = bound(column, blocks);
-      columnEnd = bound(column + 1, blocks);
-      this.blocks = blocks;
-      this.done = done;
-      this.progress = progress;
-    }
-
-    private int bound(int block, int count) {
-      return (int) ((long) n * block / count);
-    }
-
-    @Override
-    protected void compute() {
-      for (int i = rowEnd - 1; i >= rowStart; i--) {
-        progress.checkCancelled();
-        int end = graph.firstUp(i + 1);
-        int pair = firstPairFrom(i, columnStart);
-        while (pair < end && graph.high(pair) < columnEnd) {
-          fillPair(i, graph.high(pair), pair);
-          pair++;
-        }
-      }
-      double fraction = done.incrementAndGet() / (blocks * (blocks + 1) / 2.0);
-      progress.report(fraction, "Filling the table");
-    }
-  }
-
-  /** The first pair (i, j) with j at or after {@code from}. */
-  private int firstPairFrom(int i, int from) {
-    int lo = graph.firstUp(i);
-    int hi = graph.firstUp(i + 1);
-    while (lo < hi) {
-      int middle = (lo + hi) >>> 1;
-      if (graph.high(middle) < from) {
-        lo = middle + 1;
-      } else {
-        hi = middle;
-      }
-    }
-    return lo;
-  }
-
   /** Long because it is the kernel: its loop runs once for each triangle that sees through. */
   private void fillPair(int i, int j, int pair) {
     int m00 = INFINITE;
@@ -149,7 +72,7 @@ public final class ParityTable extends ChordTable {
     }
     int own = noise.length == 0 || j == i + 1 ? 0 : noise[pair];
     int up = graph.firstUp(i);
-    int slot = firstSlotAfter(j, i);
+    int slot = graph.slotAfter(j, i);
     int mine = slot - 1;
     int slotEnd = graph.firstDown(j + 1);
     while (up < pair && slot < slotEnd) {
@@ -179,21 +102,6 @@ public final class ParityTable extends ChordTable {
     store(j, 4 * mine, 4 * pair, m11 + own, m10 + own, m01 + own, m00 + own);
   }
 
-  /** The first slot (k, j) with k above i. */
-  private int firstSlotAfter(int j, int i) {
-    int lo = graph.firstDown(j);
-    int hi = graph.firstDown(j + 1);
-    while (lo < hi) {
-      int middle = (lo + hi) >>> 1;
-      if (graph.low(middle) <= i) {
-        lo = middle + 1;
-      } else {
-        hi = middle;
-      }
-    }
-    return lo;
-  }
-
   // ---- reading
 
   @Override
@@ -203,60 +111,16 @@ public final class ParityTable extends ChordTable {
 
   @Override
   int at(int i, int j) {
-    return 4 * (firstSlotAfter(j, i) - 1);
+    return 4 * (graph.slotAfter(j, i) - 1);
   }
 
   @Override
   int own(int i, int j) {
-    return noise.length == 0 ? 0 : noise[firstPairFrom(i, j)];
+    return noise.length == 0 ? 0 : noise[graph.pairFrom(i, j)];
   }
 
   @Override
   int apexAfter(int k, int i, int j) {
-    for (int slot = firstSlotAfter(j, k); slot < graph.firstDown(j + 1); slot++) {
-      int apex = graph.low(slot);
-      int left = firstSlotAfter(apex, i) - 1;
-      if (left >= graph.firstDown(apex) && graph.low(left) == i) {
-        return apex;
-      }
-    }
-    return j;
-  }
-
-  /**
-   * Cuts the face by the diagonals of a best triangulation.
-   *
-   * @param corner by position: the half-edge of the face that leaves the vertex there
-   */
-  public void cut(Dcel dcel, int[] corner) {
-    List<Chord> waiting = new ArrayList<>();
-    waiting.add(new Chord(0, n - 1, ends(), corner[n - 1]));
-    while (!waiting.isEmpty()) {
-      Chord chord = waiting.remove(waiting.size() - 1);
-      if (chord.j > chord.i + 1) {
-        cutAtApex(dcel, corner, chord, waiting);
-      }
-    }
-  }
-
-  /**
-   * A chord whose part is still whole.
-   *
-   * @param i its lower position
-   * @param j its higher position
-   * @param ends the parities of the triangles of the part at its ends, 2p + q
-   * @param back the half-edge along the chord that leaves j, with the part on its left
-   */
-  private record Chord(int i, int j, int ends, int back) {}
-
-  private void cutAtApex(Dcel dcel, int[] corner, Chord chord, List<Chord> waiting) {
-    int i = chord.i;
-    int j = chord.j;
-    int triangle = triangle(i, j, chord.ends);
-    int k = triangle >> 4;
-    int backLeft = k == i + 1 ? Dcel.NONE : dcel.splitFace(corner[i], corner[k]) ^ 1;
-    int backRight = j == k + 1 ? Dcel.NONE : dcel.splitFace(corner[k], chord.back) ^ 1;
-    waiting.add(new Chord(i, k, triangle >> 2 & 3, backLeft));
-    waiting.add(new Chord(k, j, triangle & 3, backRight));
+    return graph.commonAfter(k, i, j);
   }
 }

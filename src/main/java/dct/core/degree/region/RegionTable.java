@@ -8,7 +8,7 @@ package dct.core.degree.region;
  * is needed. Each chord has a random cost of its own, which breaks ties. O(m³) time for m vertices;
  * the memory is allocated once.
  */
-final class RegionTable extends ChordTable {
+final class RegionTable extends UnmetTable {
   /** The largest number of vertices: the bits of a long. */
   static final int MOST = Long.SIZE;
 
