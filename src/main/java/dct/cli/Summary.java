@@ -46,7 +46,8 @@ final class Summary {
 
   private static String bound(Solution solution) {
     if (solution.optimum().isPresent()) {
-      return bound(solution.optimum().get());
+      String preferred = solution.preferred().map(best -> "; " + best.words()).orElse("");
+      return bound(solution.optimum().get()) + preferred;
     }
     if (solution.isProven()) {
       return "; no triangulation has fewer odd vertices";

@@ -50,7 +50,8 @@ final class TriangulateCommand extends Verb {
     examples(
         "dct triangulate samples/comb_polygonbased.txt --flip",
         "dct triangulate samples/random_50_pointbased.txt --optimize even -o result.json -o"
-            + " result.svg");
+            + " result.svg",
+        "dct triangulate samples/comb_polygonbased.txt --optimize even --prefer length");
   }
 
   @Override
@@ -129,11 +130,11 @@ final class TriangulateCommand extends Verb {
     return new Made(solution, Optional.of(new ResultJson.Millis(read, triangulate, post)));
   }
 
-  private Solution post(Solution made, Progress progress) {
+  private Solution post(Solution made, Progress progress) throws IOException {
     if (isSet(flip)) {
       return made.flipped(progress);
     }
-    return optimize.isAsked() ? made.optimized(optimize.limits(), progress) : made;
+    return optimize.isAsked() ? optimize.optimized(made, progress) : made;
   }
 
   private Method chosen(Domain domain) {

@@ -166,7 +166,7 @@ abstract class Verb implements Callable<Integer> {
   }
 
   private OptionSpec option(OptionSpec.Builder builder, String label, String description) {
-    if (label.contains("|")) {
+    if (label.contains("|") && builder.completionCandidates() == null) {
       builder.completionCandidates(words(label));
     }
     OptionSpec option = builder.paramLabel(label).arity("1").description(description).build();

@@ -20,6 +20,7 @@ import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * Reads the program's own JSON: a whole result, or just {@code {"kind": …, "points": [[x, y], …]}}.
@@ -34,6 +35,9 @@ final class JsonText {
   private static final String EDGE_WRONG = "an edge is not of the known form%s; " + EDGE_FORM;
   private static final String FLIP_FORM = "write [u, v, x, y] where the edge u v became x y";
   private static final String FLIP_WRONG = "a flip is not four vertex numbers%s; " + FLIP_FORM;
+
+  private static final String PAIR_WRONG =
+      "\"" + ResultJson.GIVEN_EDGES + "\" is not a list of pairs%s; write [[u, v], …]";
 
   private static final String FOLLOWED = "something follows the JSON object; remove it";
 
@@ -106,6 +110,7 @@ final class JsonText {
       case "edgeList" -> readEdges();
       case "flipList" -> readFlips();
       case "kind" -> readKind();
+      case ResultJson.GIVEN_EDGES -> values.put(field, pairs());
       default -> readValue(field);
     }
   }
@@ -194,6 +199,21 @@ final class JsonText {
       json.endArray();
     }
     json.endArray();
+  }
+
+  private int[] pairs() throws IOException {
+    IntStream.Builder ends = IntStream.builder();
+    require(JsonToken.BEGIN_ARRAY, PAIR_WRONG);
+    json.beginArray();
+    while (json.hasNext()) {
+      require(JsonToken.BEGIN_ARRAY, PAIR_WRONG);
+      json.beginArray();
+      ends.add(vertex(PAIR_WRONG)).add(vertex(PAIR_WRONG));
+      require(JsonToken.END_ARRAY, PAIR_WRONG);
+      json.endArray();
+    }
+    json.endArray();
+    return ends.build().toArray();
   }
 
   private int vertex(String wrong) throws IOException {

@@ -9,6 +9,8 @@ import dct.core.degree.Flip;
 import dct.core.degree.FlipList;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.Preference;
+import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
@@ -40,6 +42,7 @@ import java.util.Optional;
 public final class ResultJson {
   static final String FORMAT = "dct-result/1";
   static final String DRAWN_WISHES = "documentWishes";
+  static final String GIVEN_EDGES = "givenEdges";
   private static final FormattingStyle SPACED =
       FormattingStyle.COMPACT.withSpaceAfterSeparators(true);
 
@@ -143,6 +146,7 @@ public final class ResultJson {
           json.wishes(DRAWN_WISHES, wishes, goal(solution));
           json.points(solution.instance().points());
           json.edges(solution.triangulation());
+          json.given(solution.preferred().map(Preferred::preference));
           if (solution.flips().isPresent()) {
             json.flips(FlipList.of(solution.flips().get()));
           }
@@ -246,6 +250,9 @@ public final class ResultJson {
     if (solution.optimum().isPresent()) {
       optimumFields(solution);
     }
+    if (solution.preferred().isPresent()) {
+      preferenceFields(solution.preferred().get());
+    }
     json.name("merged").value(solution.instance().merged());
     if (millis.isPresent()) {
       millis(millis.get());
@@ -262,6 +269,13 @@ public final class ResultJson {
       json.name("unsatisfiedLowerBound").value(optimum.bound().value());
       json.name("wishes").value(WishLetters.of(optimum.goal()));
     }
+  }
+
+  private void preferenceFields(Preferred preferred) throws IOException {
+    json.name("preferred").value(preferred.preference().kind().word());
+    String value = Decimals.format(preferred.value());
+    json.name(preferred.preference().kind().field()).jsonValue(value);
+    json.name("preferenceOptimal").value(preferred.isProven());
   }
 
   private void flipFields(Solution solution) throws IOException {
@@ -328,6 +342,18 @@ public final class ResultJson {
       json.jsonValue(text.toString());
     }
     endLines();
+  }
+
+  /** The edges that were to be kept, if there were any. */
+  private void given(Optional<Preference> preference) throws IOException {
+    int[] ends = preference.map(Preference::given).orElseGet(() -> new int[0]);
+    if (ends.length > 0) {
+      beginLines(GIVEN_EDGES);
+      for (int i = 0; i < ends.length; i += 2) {
+        json.jsonValue("\n[" + ends[i] + ", " + ends[i + 1] + "]");
+      }
+      endLines();
+    }
   }
 
   private void flips(FlipList list) throws IOException {

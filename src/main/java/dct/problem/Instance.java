@@ -4,6 +4,8 @@ import dct.core.Progress;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.Preference;
+import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.degree.best.BoundCheck;
@@ -16,6 +18,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import java.util.Optional;
 
 /**
  * What is to be triangulated: a simple polygon, or sites that are not all on one line; with the
@@ -94,6 +97,20 @@ public sealed interface Instance {
   Optimum best(Triangulation start, SearchLimits limits, Progress progress);
 
   /**
+   * The same, and of several that grant equally many the most preferred, or the best found.
+   *
+   * @param start any triangulation of this instance
+   */
+  Preferred best(
+      Triangulation start, SearchLimits limits, Preference preference, Progress progress);
+
+  /**
+   * The most preferred of the triangulations that grant the most wishes, proven; or nothing if that
+   * would take too much.
+   */
+  Optional<Preferred> mostPreferred(Preference preference, Progress progress);
+
+  /**
    * The best bound on the wishes that no triangulation grants which takes linear time.
    *
    * @param any any triangulation of this instance
@@ -156,6 +173,17 @@ public sealed interface Instance {
     }
 
     @Override
+    public Preferred best(
+        Triangulation start, SearchLimits limits, Preference preference, Progress progress) {
+      return BestTriangulation.of(polygon, start, wishes, limits, preference, progress);
+    }
+
+    @Override
+    public Optional<Preferred> mostPreferred(Preference preference, Progress progress) {
+      return BestTriangulation.mostPreferred(polygon, wishes, preference, progress);
+    }
+
+    @Override
     public LowerBound quickBound(Triangulation any) {
       return PolygonBounds.of(size(), wishes);
     }
@@ -201,6 +229,17 @@ public sealed interface Instance {
     @Override
     public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
       return BestTriangulation.of(start, wishes, limits, progress);
+    }
+
+    @Override
+    public Preferred best(
+        Triangulation start, SearchLimits limits, Preference preference, Progress progress) {
+      return BestTriangulation.of(start, wishes, limits, preference, progress);
+    }
+
+    @Override
+    public Optional<Preferred> mostPreferred(Preference preference, Progress progress) {
+      return Optional.empty();
     }
 
     @Override

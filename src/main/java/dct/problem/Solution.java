@@ -7,6 +7,8 @@ import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.Preference;
+import dct.core.degree.Preferred;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.BoundaryColouring;
@@ -25,6 +27,8 @@ import java.util.Optional;
  *     any asked for; the one after them is the final one
  * @param optimum what is known of the final triangulation and the instance's wishes, if the
  *     optimizer was asked; where flips came after it, the bound is still that of the optimizer
+ * @param preferred how good the optimum is by what was preferred among equally good ones, if
+ *     anything was, and no flips came after it
  * @param limits what the optimizer was given; the default if it was not asked
  */
 public record Solution(
@@ -33,6 +37,7 @@ public record Solution(
     Triangulation triangulation,
     Optional<FlipResult> flips,
     Optional<Optimum> optimum,
+    Optional<Preferred> preferred,
     SearchLimits limits) {
 
   /** The version of the program, for files that it writes. */
@@ -63,7 +68,13 @@ public record Solution(
   /** A triangulation that a method has made, if it is known which. */
   public static Solution of(Instance instance, Optional<Method> method, Triangulation made) {
     return new Solution(
-        instance, method, made, Optional.empty(), Optional.empty(), SearchLimits.DEFAULT);
+        instance,
+        method,
+        made,
+        Optional.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        SearchLimits.DEFAULT);
   }
 
   /**
@@ -109,7 +120,8 @@ public record Solution(
    */
   public Solution withFlips(FlipResult result) {
     Optional<Optimum> known = optimum.map(best -> best.of(result.after()));
-    return new Solution(instance, method, result.after(), Optional.of(result), known, limits);
+    return new Solution(
+        instance, method, result.after(), Optional.of(result), known, Optional.empty(), limits);
   }
 
   /**
@@ -124,12 +136,37 @@ public record Solution(
                 best.goal().equals(wishes)
                     ? best
                     : Optimum.of(triangulation, wishes, wished.quickBound(triangulation)));
-    return new Solution(wished, method, triangulation, flips, known, limits);
+    Optional<Preferred> same = preferred.filter(best -> best.optimum().goal().equals(wishes));
+    return new Solution(wished, method, triangulation, flips, known, same, limits);
   }
 
   /** The triangulation that grants the most of the instance's wishes, or the best found. */
   public Solution optimized(SearchLimits given, Progress progress) {
     return optimized(instance.best(triangulation, given, progress), given);
+  }
+
+  /**
+   * The triangulation that grants the most of the instance's wishes, and of several such ones the
+   * most preferred; or the best found.
+   */
+  public Solution optimized(SearchLimits given, Preference preference, Progress progress) {
+    return optimized(instance.best(triangulation, given, preference, progress), given);
+  }
+
+  /** The same with what the optimizer found by a preference. */
+  public Solution optimized(Preferred best, SearchLimits given) {
+    Solution found = optimized(best.optimum(), given);
+    Preferred known =
+        new Preferred(
+            found.optimum().orElseThrow(), best.preference(), best.value(), best.isProven());
+    return new Solution(
+        instance,
+        method,
+        found.triangulation,
+        Optional.empty(),
+        found.optimum,
+        Optional.of(known),
+        given);
   }
 
   /**
@@ -139,7 +176,8 @@ public record Solution(
   public Solution optimized(Optimum best, SearchLimits given) {
     Triangulation plain = best.triangulation().plain();
     Optimum found = new Optimum(plain, best.goal(), best.unmet(), best.bound(), best.interrupted());
-    return new Solution(instance, method, plain, Optional.empty(), Optional.of(found), given);
+    return new Solution(
+        instance, method, plain, Optional.empty(), Optional.of(found), Optional.empty(), given);
   }
 
   /** The method's word in files, {@value Method#UNKNOWN} if it is not known. */

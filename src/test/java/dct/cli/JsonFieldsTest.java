@@ -8,6 +8,7 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -53,6 +54,10 @@ class JsonFieldsTest {
         CliRun.withInput(SQUARE, "triangulate", "-", "--json", "--optimize", wishes, "-o", result));
     printed.addAll(json(Files.readString(result)).keySet());
     CliRun.withInput(SQUARE, "triangulate", "-", "--flip", "-o", flips).done();
+    for (String preferred : List.of("length", "kept:" + flips)) {
+      Object[] call = {"triangulate", "-", "--optimize", "even", "--prefer", preferred, "-o", "-"};
+      printed.addAll(json(CliRun.withInput(SQUARE, call).done().out()).keySet());
+    }
     printed.addAll(json(Files.readString(flips)).keySet());
     collect(printed, CliRun.withInput(SQUARE, "check", "-", "--json"));
     collect(printed, CliRun.withInput(BOW_TIE, "check", "-", "--json"));

@@ -141,7 +141,15 @@ public final class OptimumTables {
         triangulate(
             file,
             kind,
-            List.of("--optimize", "even", "--time-limit", seconds, "--seed", seed + "")));
+            List.of(
+                "--optimize",
+                "even",
+                "--prefer",
+                "none",
+                "--time-limit",
+                seconds,
+                "--seed",
+                seed + "")));
   }
 
   private String triangulate(Path file, String kind, List<String> options)

@@ -51,22 +51,17 @@ public final class Preference {
   public static final double TOLERANCE = 1e-6;
 
   /** The largest smallest angle. */
-  public static final Preference ANGLE = new Preference(Kind.ANGLE, new long[0], false);
-
-  /** The same as far as it takes little time beside the search for the most wishes. */
-  public static final Preference QUICK_ANGLE = new Preference(Kind.ANGLE, new long[0], true);
+  public static final Preference ANGLE = new Preference(Kind.ANGLE, new long[0]);
 
   /** The least total length. */
-  public static final Preference LENGTH = new Preference(Kind.LENGTH, new long[0], false);
+  public static final Preference LENGTH = new Preference(Kind.LENGTH, new long[0]);
 
   private final Kind kind;
   private final long[] given; // the edges to be kept, sorted
-  private final boolean isQuick;
 
-  private Preference(Kind kind, long[] given, boolean isQuick) {
+  private Preference(Kind kind, long[] given) {
     this.kind = kind;
     this.given = given;
-    this.isQuick = isQuick;
   }
 
   /** The most edges kept from a triangulation of the same points. */
@@ -81,7 +76,7 @@ public final class Preference {
     long[] keys = new long[ends.length / 2];
     Arrays.setAll(keys, edge -> key(ends[2 * edge], ends[2 * edge + 1]));
     Arrays.sort(keys);
-    return new Preference(Kind.KEPT, keys, false);
+    return new Preference(Kind.KEPT, keys);
   }
 
   private static long key(int u, int v) {
@@ -91,11 +86,6 @@ public final class Preference {
   /** What is compared. */
   public Kind kind() {
     return kind;
-  }
-
-  /** Whether it is followed only as far as that takes little time. */
-  public boolean isQuick() {
-    return isQuick;
   }
 
   /** Whether the edge between two vertices is one of those to be kept. */
@@ -173,13 +163,12 @@ public final class Preference {
   public boolean equals(Object other) {
     return other instanceof Preference that
         && kind == that.kind
-        && isQuick == that.isQuick
         && Arrays.equals(given, that.given);
   }
 
   @Override
   public int hashCode() {
-    return 31 * (31 * kind.hashCode() + Boolean.hashCode(isQuick)) + Arrays.hashCode(given);
+    return 31 * kind.hashCode() + Arrays.hashCode(given);
   }
 
   @Override

@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
  */
 public final class Claims {
   private final String source;
-  private final Map<String, Object> values; // strings, doubles and booleans by their names
+  private final Map<String, Object> values; // by their names: texts, numbers, flags, pairs
   private final Points points;
   private final int[] pointLines;
   private final ClaimedEdges edges; // null if the file has none
@@ -28,7 +28,7 @@ public final class Claims {
    * What stands in a file.
    *
    * @param source the file's name as the user gave it, or "-" for standard input
-   * @param values strings, doubles and booleans by the names of their fields
+   * @param values strings, doubles, booleans and arrays of pairs by the names of their fields
    * @param pointLines the line of each point
    * @param edges null if the file has no list of edges
    * @param flips null if the file has no list of flips
@@ -144,6 +144,11 @@ public final class Claims {
     return values.get(name) instanceof Double number
         ? OptionalDouble.of(number)
         : OptionalDouble.empty();
+  }
+
+  /** The pairs of vertices in the field of this name, one after the other, if it holds them. */
+  Optional<int[]> pairs(String name) {
+    return values.get(name) instanceof int[] ends ? Optional.of(ends.clone()) : Optional.empty();
   }
 
   /** The truth value in the field of this name, if it is there and one. */

@@ -6,6 +6,7 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
@@ -86,8 +87,16 @@ public final class Restoration {
             claims.text("boundReason").orElse("no reason given"));
     Triangulation best = plain.triangulation();
     boolean interrupted = claims.flag("interrupted").orElse(false);
-    return Solution.of(plain.instance().with(goal), plain.method(), best)
-        .optimized(new Optimum(best, goal, goal.unmet(best), bound, interrupted), limits());
+    Optimum optimum = new Optimum(best, goal, goal.unmet(best), bound, interrupted);
+    Solution start = Solution.of(plain.instance().with(goal), plain.method(), best);
+    return claims.has(PreferenceClaim.PREFERRED)
+        ? start.optimized(preferred(optimum), limits())
+        : start.optimized(optimum, limits());
+  }
+
+  private Preferred preferred(Optimum optimum) {
+    boolean isProven = claims.flag(PreferenceClaim.OPTIMAL).orElse(false);
+    return Preferred.of(optimum, PreferenceClaim.preference(claims), isProven);
   }
 
   private SearchLimits limits() {

@@ -23,8 +23,9 @@ import java.util.Optional;
  * taken back one after the other; where there is no list, they are those of a Scan-Flip run, which
  * lie in quadrilaterals that share no triangle, so that the result alone tells of them. The counts
  * before are recounted, and of what was there before it is checked that it is Delaunay, or that its
- * partition cuts pieces of the right form. The lower bound is computed anew. How the result came to
- * be (times, seed, limits, the input's name) is no claim about it, and is not looked at.
+ * partition cuts pieces of the right form. The lower bound is computed anew, and so is what was
+ * preferred among equally good triangulations. How the result came to be (times, seed, limits, the
+ * input's name) is no claim about it, and is not looked at.
  *
  * <p>Exact; O(n log n) time, and what the bound takes.
  */
@@ -66,6 +67,9 @@ public final class Verifier {
       check("the degrees", this::checkDegrees);
       check("the method", this::checkMethod);
       checks.add(new BoundClaim(claims, stored, progress).check());
+      if (claims.has(PreferenceClaim.PREFERRED)) {
+        checks.add(new PreferenceClaim(claims, stored, progress).check());
+      }
     } catch (FalseClaim lie) {
       // the check that failed is the last of the list
     }
@@ -103,6 +107,15 @@ public final class Verifier {
       refuse(
           List.of("satisfied", "unsatisfied", "unsatisfiedLowerBound", "wishes"),
           "no text holds the wishes");
+    }
+    checkPreference();
+  }
+
+  private void checkPreference() {
+    if (!claims.has(PreferenceClaim.PREFERRED)) {
+      refuse(PreferenceClaim.fields(), "nothing was preferred");
+    } else if (!post.isOptimized() || post.isFlipped()) {
+      refuse(List.of(PreferenceClaim.PREFERRED), "the result is not the optimizer's");
     }
   }
 

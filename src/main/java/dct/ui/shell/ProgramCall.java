@@ -1,6 +1,7 @@
 package dct.ui.shell;
 
 import dct.core.Decimals;
+import dct.core.degree.Preference;
 import dct.core.degree.SearchLimits;
 import dct.core.triangulate.Domain;
 import dct.experiment.study.StudyPlan;
@@ -8,6 +9,7 @@ import dct.problem.Method;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
@@ -73,6 +75,14 @@ public record ProgramCall(List<String> words) {
   /** The same with a search for what a file of wishes wishes. */
   public ProgramCall optimize(Path wishes, SearchLimits limits) {
     return optimize(name(wishes), limits);
+  }
+
+  /** This call with what is preferred among equally good triangulations, or none. */
+  public ProgramCall prefer(Optional<Preference.Kind> kind) {
+    if (kind.equals(Optional.of(Preference.Kind.ANGLE))) {
+      return this; // the default
+    }
+    return option("--prefer", kind.map(Preference.Kind::word).orElse("none"));
   }
 
   /** This call with a file that what it makes is written to. */

@@ -4,6 +4,7 @@ import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.Preference;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.triangulate.Triangulation;
@@ -80,7 +81,9 @@ public final class RepeatableCall {
             .result()
             .flatMap(made -> made.solution().method())
             .orElse(Method.byDefault(editor.domain()));
-    return ProgramCall.triangulate(savedFile(editor), method).optimize("even", limits);
+    return ProgramCall.triangulate(savedFile(editor), method)
+        .optimize("even", limits)
+        .prefer(Optional.empty());
   }
 
   /**
@@ -139,7 +142,18 @@ public final class RepeatableCall {
           "The search began with flips or another result; a command begins with a method alone."
               + KEEP);
     }
-    ParityGoal goal = best.goal();
+    Optional<Preference.Kind> kind =
+        solution.preferred().map(preferred -> preferred.preference().kind());
+    if (kind.equals(Optional.of(Preference.Kind.KEPT))) {
+      throw new NotRepeatableException(
+          "The search kept edges of a triangulation that is in no file; a command keeps those of a"
+              + " file."
+              + KEEP);
+    }
+    return wished(call, solution, best.goal()).prefer(kind);
+  }
+
+  private ProgramCall wished(ProgramCall call, Solution solution, ParityGoal goal) {
     if (goal.isAll(Wish.EVEN) || goal.isAll(Wish.ODD)) {
       return call.optimize(goal.isAll(Wish.EVEN) ? "even" : "odd", solution.limits());
     }

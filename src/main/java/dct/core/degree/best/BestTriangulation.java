@@ -11,6 +11,7 @@ import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
@@ -62,6 +63,17 @@ public final class BestTriangulation {
   }
 
   /**
+   * The most preferred of the best triangulations of a simple polygon, proven; or nothing if that
+   * would take too much.
+   *
+   * @throws CancellationException if cancelled
+   */
+  public static Optional<Preferred> mostPreferred(
+      SimplePolygon polygon, ParityGoal goal, Preference preference, Progress progress) {
+    return PolygonOptimizer.mostPreferred(polygon, goal, preference, progress);
+  }
+
+  /**
    * The best triangulation of sites.
    *
    * @throws CancellationException if cancelled before the Delaunay triangulation is there
@@ -74,5 +86,15 @@ public final class BestTriangulation {
   public static Optimum of(
       Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
     return SiteOptimizer.optimize(start, goal, limits, progress);
+  }
+
+  /** The same, and of several equally good ones that were found the most preferred. */
+  public static Preferred of(
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Preference preference,
+      Progress progress) {
+    return Preferred.of(of(start, goal, limits, progress), preference, false);
   }
 }

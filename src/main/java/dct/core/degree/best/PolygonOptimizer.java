@@ -2,7 +2,6 @@ package dct.core.degree.best;
 
 import dct.core.Deadline;
 import dct.core.Progress;
-import dct.core.dcel.Dcel;
 import dct.core.degree.Aqt;
 import dct.core.degree.ConvexPieces;
 import dct.core.degree.LowerBound;
@@ -14,18 +13,13 @@ import dct.core.degree.Preferred;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
-import dct.core.degree.region.ChordTable;
 import dct.core.degree.region.ParityTable;
 import dct.core.degree.region.PolygonImprover;
-import dct.core.degree.region.PreferredTable;
 import dct.core.geometry.SimplePolygon;
-import dct.core.triangulate.Domain;
 import dct.core.triangulate.EarClipping;
-import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import dct.core.triangulate.VisibilityGraph;
-import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -35,8 +29,9 @@ import java.util.concurrent.CancellationException;
  * <p>Takes any simple polygon. A strictly convex one whose vertices shall all be even is handed to
  * {@link Aqt}, which is optimal there. Otherwise the exact table over the pairs of vertices that
  * see each other ({@link ParityTable}) gives the optimum, proven, if its pairs and its steps stay
- * within the fixed budget of {@link SearchLimits}, which is checked first. Larger polygons go to
- * {@link PolygonImprover}, whose result is the best found, with the bound of {@link PolygonBounds}.
+ * within the fixed budget of {@link SearchLimits}, which is checked first ({@link ExactPolygon}).
+ * Larger polygons go to {@link PolygonImprover}, whose result is the best found, with the bound of
+ * {@link PolygonBounds}.
  *
  * <p>The thesis's own algorithms come first, then the table over the pairs whose segment crosses
  * few edges of the best so far, all in time near linear. Where the result meets the bound, that
@@ -61,8 +56,8 @@ public final class PolygonOptimizer {
 
   private static final long NEAR_STEPS = 2_000;
 
-  /** The pairs of a table of two costs: twice the memory a pair. */
-  private static final int MOST_PREFERRED_PAIRS = SearchLimits.MOST_PAIRS / 2;
+  /** Of a table of two costs that is filled where one of a single cost is not needed. */
+  private static final long PREFERRED_STEPS = 400_000_000;
 
   private final SimplePolygon polygon;
   private final ParityGoal goal;
@@ -71,6 +66,7 @@ public final class PolygonOptimizer {
   private final Deadline clock;
   private final Deadline early; // for what comes first, however short the limit is
   private final LowerBound bound;
+  private final ExactPolygon exact;
   private Triangulation best;
   private boolean hasThesisBest;
   private boolean isMostPreferred; // by the table
@@ -89,6 +85,7 @@ public final class PolygonOptimizer {
     clock = new Deadline(progress, limits.seconds());
     early = new Deadline(progress, Math.max(SearchLimits.GRACE, limits.seconds()));
     bound = PolygonBounds.of(polygon.size(), goal);
+    exact = new ExactPolygon(polygon, goal);
     best = start;
   }
 
@@ -136,8 +133,25 @@ public final class PolygonOptimizer {
     if (isSolvedByAqt(polygon, goal)) {
       return Optional.of(aqt(polygon, goal, progress));
     }
-    return Optional.ofNullable(graph(polygon, any, progress))
-        .map(graph -> proven(table(polygon, goal, graph, progress), goal));
+    ExactPolygon exact = new ExactPolygon(polygon, goal);
+    return Optional.ofNullable(exact.graph(any, progress))
+        .map(graph -> exact.proven(exact.best(graph, progress)));
+  }
+
+  /**
+   * The most preferred of the best triangulations, proven, or empty if the table would be too
+   * large.
+   *
+   * @throws CancellationException if cancelled
+   */
+  static Optional<Preferred> mostPreferred(
+      SimplePolygon polygon, ParityGoal goal, Preference preference, Progress progress) {
+    Triangulation any = MonotoneTriangulation.triangulate(polygon, progress);
+    ExactPolygon exact = new ExactPolygon(polygon, goal);
+    return Optional.ofNullable(exact.graph(any, progress))
+        .filter(ExactPolygon::canPrefer)
+        .map(graph -> exact.proven(exact.best(graph, preference, progress)))
+        .map(best -> Preferred.of(best, preference, true));
   }
 
   // ---- strictly convex, all even
@@ -150,45 +164,6 @@ public final class PolygonOptimizer {
     Triangulation made = Aqt.triangulate(polygon, progress);
     LowerBound bound = PolygonBounds.of(polygon.size(), goal);
     return new Optimum(made, goal, goal.unmet(made), bound, false);
-  }
-
-  // ---- the table
-
-  /** What the table needs to know, or null if the table would be too large. */
-  private static VisibilityGraph graph(
-      SimplePolygon polygon, Triangulation any, Progress progress) {
-    VisibilityGraph graph = VisibilityGraph.of(polygon, any, SearchLimits.MOST_PAIRS, progress);
-    boolean small = graph != null && ParityTable.steps(graph) <= SearchLimits.MOST_STEPS;
-    return small ? graph : null;
-  }
-
-  /** The best triangulation of those whose edges are all in the graph. */
-  private static Triangulation table(
-      SimplePolygon polygon, ParityGoal goal, VisibilityGraph graph, Progress progress) {
-    int[] costs = ParityTable.costs(wishes(polygon, goal));
-    return cut(polygon, ParityTable.fill(graph, costs, new int[0], progress));
-  }
-
-  private static ParityGoal.Wish[] wishes(SimplePolygon polygon, ParityGoal goal) {
-    ParityGoal.Wish[] wishes = new ParityGoal.Wish[polygon.size()];
-    Arrays.setAll(wishes, k -> goal.wish(polygon.vertex(k)));
-    return wishes;
-  }
-
-  private static Triangulation cut(SimplePolygon polygon, ChordTable table) {
-    int[] corner = new int[polygon.size()];
-    Arrays.setAll(corner, k -> 2 * k); // of the cycle
-    Dcel dcel = Dcel.cycle(polygon.walk());
-    table.cut(dcel, corner);
-    return new Triangulation(Domain.POLYGON, polygon.points(), dcel, edge -> EdgeKind.DIAGONAL);
-  }
-
-  private static Optimum proven(Triangulation exact, ParityGoal goal) {
-    int unmet = goal.unmet(exact);
-    LowerBound bound =
-        PolygonBounds.of(goal.size(), goal)
-            .max(new LowerBound(unmet, "exact table over all triangulations"));
-    return new Optimum(exact, goal, unmet, bound, false);
   }
 
   // ---- everything
@@ -204,15 +179,15 @@ public final class PolygonOptimizer {
       if (isMet && preference == null) {
         return found(false);
       }
-      VisibilityGraph graph = graph(polygon, best, clock);
-      if (graph == null || ParityTable.steps(graph) > QUICK_STEPS) {
+      VisibilityGraph graph = exact.graph(best, clock);
+      if (!isMet && (graph == null || ParityTable.steps(graph) > QUICK_STEPS)) {
         takeThesisBest();
       }
       if (prefersByTable(graph, isMet)) {
         return mostPreferred(graph, isMet);
       }
       if (graph != null && !isMet) {
-        return proven(table(polygon, goal, graph, clock), goal);
+        return exact.proven(exact.best(graph, clock));
       }
       best = new PolygonImprover(goal, limits, clock).run(best, bound.value());
     } catch (CancellationException e) {
@@ -228,33 +203,29 @@ public final class PolygonOptimizer {
     takeNearBest();
   }
 
-  /**
-   * Whether the table of two costs is filled: with a quick preference only if that takes little.
-   */
+  /** Whether the table of two costs is filled: where the bound is met only if it takes little. */
   private boolean prefersByTable(VisibilityGraph graph, boolean isMet) {
     return preference != null
         && graph != null
-        && graph.pairs() <= MOST_PREFERRED_PAIRS
-        && (!preference.isQuick() || !isMet || ParityTable.steps(graph) <= QUICK_STEPS);
+        && ExactPolygon.canPrefer(graph)
+        && (!isMet || ParityTable.steps(graph) <= PREFERRED_STEPS);
   }
 
   /** By the table of two costs; where time is limited, the faster one of one cost comes first. */
   private Optimum mostPreferred(VisibilityGraph graph, boolean isMet) {
-    Optimum known = null;
+    Optimum known = isMet ? found(false) : null;
     if (!isMet && Double.isFinite(limits.seconds())) {
-      known = proven(table(polygon, goal, graph, clock), goal);
+      known = exact.proven(exact.best(graph, clock));
     }
     try {
-      ParityGoal.Wish[] wishes = wishes(polygon, goal);
-      PreferredTable table =
-          PreferredTable.fill(graph, wishes, preference, polygon.points(), polygon.walk(), clock);
+      known = exact.proven(exact.best(graph, preference, clock));
       isMostPreferred = true;
-      return proven(cut(polygon, table), goal);
+      return known;
     } catch (CancellationException e) {
-      if (known != null) {
-        return known;
+      if (known == null) {
+        throw e;
       }
-      throw e;
+      return known;
     }
   }
 
@@ -288,7 +259,7 @@ public final class PolygonOptimizer {
     long mostPairs = NEAR_PAIRS * polygon.size();
     VisibilityGraph near = VisibilityGraph.within(polygon, best, MOST_CROSSED, mostPairs, clock);
     if (near != null && ParityTable.steps(near) <= NEAR_STEPS * polygon.size()) {
-      take(table(polygon, goal, near, clock));
+      take(exact.best(near, clock));
     }
   }
 
