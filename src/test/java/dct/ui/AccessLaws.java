@@ -7,6 +7,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Frame;
+import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -92,7 +93,17 @@ final class AccessLaws {
       if (control instanceof JTextComponent text && text.isEditable()) {
         requireLabel(text, what);
       }
+      if (control instanceof JTable table) {
+        requireWayOut(table, what);
+      }
     }
+  }
+
+  /** Tab leaves a table, as it leaves every other control. */
+  private static void requireWayOut(JTable table, String what) {
+    assertThat(table.getFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS))
+        .as(what)
+        .contains(KeyStroke.getKeyStroke("pressed TAB"));
   }
 
   private static String name(Component control) {

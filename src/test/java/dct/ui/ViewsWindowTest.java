@@ -11,6 +11,7 @@ import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Point;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
@@ -296,6 +297,24 @@ class ViewsWindowTest extends WindowTest {
       assertThat(table.getCellRect(row, last, true).getMaxX()).isLessThanOrEqualTo(800);
     }
     assertThat(onEventThread(() -> table.getValueAt(0, 0))).isEqualTo("Most Even Vertices");
+  }
+
+  @Test
+  void enterComparesTheTwoChosenRowsOfTheTable() {
+    draw();
+    perform("Most Even Vertices");
+    perform("Convex Polygon Odd Triangulation");
+    await("the frames", () -> results().size() == 2);
+    perform("Table of Results");
+    JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+    onEventThread(
+        () -> {
+          table.setRowSelectionInterval(0, 1);
+          return table.requestFocusInWindow();
+        });
+    await("the table has the keyboard", () -> onEventThread(table::isFocusOwner));
+    robot.pressAndReleaseKeys(KeyEvent.VK_ENTER);
+    await("the comparison", () -> results().size() == 3);
   }
 
   @Test

@@ -3,6 +3,7 @@ package dct.ui.flip;
 import dct.core.degree.FlipResult;
 import dct.ui.command.Command;
 import dct.ui.command.CommandRegistry;
+import dct.ui.command.TableKeys;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -76,6 +77,7 @@ public final class FlipPanel extends JPanel {
     table.getSelectionModel().addListSelectionListener(e -> selected());
     table.setDefaultRenderer(Object.class, new DefaultTableCellRenderer());
     table.setFillsViewportHeight(true);
+    TableKeys.leaveByTab(table);
     JScrollPane scroll = new JScrollPane(table);
     scroll.setPreferredSize(new Dimension(0, LIST_HEIGHT));
     return scroll;

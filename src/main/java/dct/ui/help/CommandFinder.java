@@ -128,7 +128,7 @@ public final class CommandFinder extends JDialog {
     Command command = found.getSelectedValue();
     String words;
     if (command == null) {
-      words = "No command has this name; type a part of what it does";
+      words = "No command of this window has this name; type a part of what it does";
     } else {
       String key = command.keyText().isEmpty() ? "" : ", " + command.keyText();
       words =

@@ -1,6 +1,7 @@
 package dct.ui.help;
 
 import dct.ui.command.CloseKeys;
+import dct.ui.command.TableKeys;
 import dct.ui.dialog.Placement;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -71,6 +72,7 @@ public final class CommandList extends JDialog {
     table.getAccessibleContext().setAccessibleName("Commands and keys");
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setRowHeight(ROW);
+    TableKeys.inDialog(table);
     table.setDefaultRenderer(Object.class, new Cells());
     for (int column = 0; column < WIDTHS.length; column++) {
       table.getColumnModel().getColumn(column).setPreferredWidth(WIDTHS[column]);

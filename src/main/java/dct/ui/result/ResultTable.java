@@ -1,6 +1,7 @@
 package dct.ui.result;
 
 import dct.ui.command.CloseKeys;
+import dct.ui.command.TableKeys;
 import dct.ui.document.Result;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -76,6 +77,7 @@ public final class ResultTable extends JDialog {
     table.setName("results");
     table.getAccessibleContext().setAccessibleName("Results of these points");
     table.setAutoCreateRowSorter(true);
+    TableKeys.inDialog(table);
     table.getTableHeader().setReorderingAllowed(false);
     table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
     table.setDefaultRenderer(Object.class, new Cells(SwingConstants.LEADING));

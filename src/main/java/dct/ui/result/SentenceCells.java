@@ -27,7 +27,7 @@ final class SentenceCells extends JTextArea implements TableCellRenderer {
     setFont(table.getFont());
     setForeground(selected ? table.getSelectionForeground() : table.getForeground());
     setBackground(selected ? table.getSelectionBackground() : table.getBackground());
-    setBorder(BorderFactory.createEmptyBorder(1, MARGIN, 1, MARGIN));
+    setBorder(BorderFactory.createEmptyBorder(3, MARGIN, 3, MARGIN));
     return this;
   }
 

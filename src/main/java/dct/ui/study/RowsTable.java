@@ -1,6 +1,7 @@
 package dct.ui.study;
 
 import dct.experiment.study.StudyRow;
+import dct.ui.command.TableKeys;
 import java.awt.FontMetrics;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
@@ -73,6 +74,7 @@ final class RowsTable extends JTable {
             }
           }
         });
+    TableKeys.leaveByTab(this);
     getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
         .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), OPEN);
     getActionMap()

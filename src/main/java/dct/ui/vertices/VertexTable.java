@@ -5,13 +5,13 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.triangulate.Triangulation;
 import dct.render.Ink;
 import dct.render.Theme;
+import dct.ui.command.TableKeys;
 import dct.ui.document.Document;
 import dct.ui.document.Selection;
 import dct.ui.tool.ToolContext;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.FontMetrics;
-import java.awt.KeyboardFocusManager;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
@@ -64,9 +64,7 @@ final class VertexTable extends JTable {
     setAutoResizeMode(AUTO_RESIZE_ALL_COLUMNS);
     fitColumns();
     putClientProperty("terminateEditOnFocusLost", true);
-    // Tab leaves the table, arrows move in it: no key is a trap.
-    setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-    setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+    TableKeys.leaveByTab(this);
     putClientProperty("JTable.autoStartsEdit", false);
     setSurrendersFocusOnKeystroke(true);
     setDefaultRenderer(String.class, new Cells());
