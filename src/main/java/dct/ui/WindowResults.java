@@ -18,6 +18,7 @@ import dct.ui.shell.CallCopy;
 import dct.ui.solve.FlipListWork;
 import dct.ui.solve.LiveCommands;
 import dct.ui.solve.PieceWork;
+import dct.ui.solve.PreferenceChoice;
 import dct.ui.solve.ResultFrames;
 import dct.ui.solve.ResultViewCommands;
 import dct.ui.solve.ResultWork;
@@ -64,12 +65,15 @@ final class WindowResults {
 
   /** Offers how results are made, shown, flipped and explained. */
   void offer(CommandRegistry commands, CallCopy calls, Settings settings) {
-    SearchOptions searches = new SearchOptions(calls::copySearch);
+    PreferenceChoice preference = new PreferenceChoice(settings);
+    SearchOptions searches =
+        new SearchOptions(limits -> calls.copySearch(limits, preference.kind()));
     TriangulateCommands.offer(
         commands,
         workbench,
-        new ResultWork(workbench, frames::showLate, searches::limits),
+        new ResultWork(workbench, frames::showLate, searches::limits, preference),
         new WishWork(window, workbench, files::folder));
+    preference.offer(commands);
     searches.offer(commands, window);
     PieceWork.offer(commands, workbench, frames::show);
     studies.offer(commands);

@@ -9,6 +9,7 @@ import dct.core.degree.FlipList;
 import dct.core.degree.FlipResult;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.Preference;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
@@ -106,6 +107,25 @@ class RepeatableCallTest {
     make(editor, start(editor, method).optimized(limits, Progress.NONE));
     assertThat(requireSame(editor))
         .containsSequence("--optimize", "even", "--seed", "5", "--effort", "0.5");
+  }
+
+  @Test
+  void whatWasPreferredIsRepeated() throws Exception {
+    Editor editor = saved(Domain.POLYGON);
+    Solution start = start(editor, Method.MONOTONE);
+    make(editor, start.optimized(SearchLimits.DEFAULT, Preference.LENGTH, Progress.NONE));
+    assertThat(requireSame(editor)).containsSequence("--prefer", "length");
+    editor.undo();
+    make(editor, start.optimized(SearchLimits.DEFAULT, Preference.ANGLE, Progress.NONE));
+    assertThat(requireSame(editor)).doesNotContain("--prefer");
+    editor.undo();
+    Preference kept = Preference.keeping(start.triangulation());
+    make(editor, start.optimized(SearchLimits.DEFAULT, kept, Progress.NONE));
+    requireNone(editor, "The search keeps edges of a triangulation that is in no file");
+    List<String> search =
+        RepeatableCall.search(editor, SearchLimits.DEFAULT, Optional.of(Preference.Kind.LENGTH))
+            .words();
+    assertThat(search).containsSequence("--optimize", "even").endsWith("--prefer", "length");
   }
 
   @Test

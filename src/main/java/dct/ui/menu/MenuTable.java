@@ -155,6 +155,7 @@ public final class MenuTable {
               "Most Even Vertices",
               "Most Odd Vertices",
               "Wished Parities…",
+              "Prefer",
               "Search Options…",
               "Background Work",
               LINE,

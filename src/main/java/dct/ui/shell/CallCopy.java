@@ -1,5 +1,6 @@
 package dct.ui.shell;
 
+import dct.core.degree.Preference;
 import dct.core.degree.SearchLimits;
 import dct.ui.dialog.Ask;
 import dct.ui.document.Editor;
@@ -7,6 +8,7 @@ import dct.ui.workbench.Workbench;
 import java.awt.Component;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
@@ -30,10 +32,12 @@ public final class CallCopy {
     workbench.say("Copied: " + call.line());
   }
 
-  /** Copies the call that searches within these limits. */
-  public void copySearch(SearchLimits limits) {
+  /** Copies the call that searches within these limits and prefers this, if anything. */
+  public void copySearch(SearchLimits limits, Optional<Preference.Kind> preferred) {
     try {
-      workbench.active().ifPresent(editor -> copy(RepeatableCall.search(editor, limits)));
+      workbench
+          .active()
+          .ifPresent(editor -> copy(RepeatableCall.search(editor, limits, preferred)));
     } catch (NotRepeatableException e) {
       Ask.tell(parent, TITLE, e.getMessage());
     }

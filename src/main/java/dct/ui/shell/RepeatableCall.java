@@ -72,9 +72,11 @@ public final class RepeatableCall {
   /**
    * The search for the most even vertices in what an editor shows.
    *
+   * @param preferred what it prefers, if anything
    * @throws NotRepeatableException if its points are not in a file as they are
    */
-  public static ProgramCall search(Editor editor, SearchLimits limits) {
+  public static ProgramCall search(
+      Editor editor, SearchLimits limits, Optional<Preference.Kind> preferred) {
     Method method =
         editor
             .document()
@@ -83,7 +85,7 @@ public final class RepeatableCall {
             .orElse(Method.byDefault(editor.domain()));
     return ProgramCall.triangulate(savedFile(editor), method)
         .optimize("even", limits)
-        .prefer(Optional.empty());
+        .prefer(ofNoFile(preferred));
   }
 
   /**
@@ -144,13 +146,18 @@ public final class RepeatableCall {
     }
     Optional<Preference.Kind> kind =
         solution.preferred().map(preferred -> preferred.preference().kind());
+    return wished(call, solution, best.goal()).prefer(ofNoFile(kind));
+  }
+
+  /** What is preferred, which must not need a triangulation. */
+  private static Optional<Preference.Kind> ofNoFile(Optional<Preference.Kind> kind) {
     if (kind.equals(Optional.of(Preference.Kind.KEPT))) {
       throw new NotRepeatableException(
-          "The search kept edges of a triangulation that is in no file; a command keeps those of a"
+          "The search keeps edges of a triangulation that is in no file; a command keeps those of a"
               + " file."
               + KEEP);
     }
-    return wished(call, solution, best.goal()).prefer(kind);
+    return kind;
   }
 
   private ProgramCall wished(ProgramCall call, Solution solution, ParityGoal goal) {

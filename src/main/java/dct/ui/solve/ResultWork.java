@@ -2,8 +2,10 @@ package dct.ui.solve;
 
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
+import dct.core.degree.Preference;
 import dct.core.degree.SearchLimits;
 import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
 import dct.problem.Method;
 import dct.problem.Solution;
 import dct.ui.document.Document;
@@ -28,6 +30,7 @@ public final class ResultWork {
   private final Workbench workbench;
   private final Consumer<Late> late;
   private final Supplier<SearchLimits> limits;
+  private final PreferenceChoice choice;
   private Method method = Method.byDefault(Domain.POLYGON);
   private int views = Result.OPENED;
 
@@ -44,11 +47,17 @@ public final class ResultWork {
    *
    * @param late is given what comes too late to become a step
    * @param limits what searches are given
+   * @param choice what they prefer
    */
-  public ResultWork(Workbench workbench, Consumer<Late> late, Supplier<SearchLimits> limits) {
+  public ResultWork(
+      Workbench workbench,
+      Consumer<Late> late,
+      Supplier<SearchLimits> limits,
+      PreferenceChoice choice) {
     this.workbench = workbench;
     this.late = late;
     this.limits = limits;
+    this.choice = choice;
   }
 
   /** Triangulates the polygon by this method. */
@@ -104,17 +113,30 @@ public final class ResultWork {
     Optional<Function<Progress, Solution>> start = start(editor, "improve");
     if (start.isPresent()) {
       SearchLimits given = limits.get();
+      Function<Triangulation, Optional<Preference>> preference = choice.now();
       Function<Progress, Solution> search =
           progress -> {
             Solution before = start.get().apply(progress);
-            return before.wishing(goal.apply(before.instance().size())).optimized(given, progress);
+            Solution asked = before.wishing(goal.apply(before.instance().size()));
+            return preference
+                .apply(asked.triangulation())
+                .map(preferred -> asked.optimized(given, preferred, progress))
+                .orElseGet(() -> asked.optimized(given, progress));
           };
       Document document = editor.document();
       int view = view(editor);
       workbench
           .jobs()
           .submitSearch(
-              what, timed(search, view), result -> accept(editor, what, document, result));
+              what,
+              timed(search, view),
+              result -> {
+                accept(editor, what, document, result);
+                result
+                    .solution()
+                    .preferred()
+                    .ifPresent(best -> workbench.say(what + ": " + best.words()));
+              });
     }
   }
 
