@@ -16,6 +16,7 @@ import dct.problem.verify.ClaimedEdges;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Restoration;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -121,7 +122,7 @@ final class FaceReading {
 
   private Claims claims() {
     Map<String, Object> values = Map.of("kind", domain.word(), "algorithm", Method.UNKNOWN);
-    return new Claims(source, values, shape.points(), shape.lines(), edges, null);
+    return new Claims(source, values, shape.points(), shape.lines(), edges, null, List.of());
   }
 
   /** Checks that no triangle is missing: where one is, an inner edge has but one. */

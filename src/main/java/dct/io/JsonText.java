@@ -13,12 +13,15 @@ import dct.io.text.JsonSource;
 import dct.io.text.Shown;
 import dct.problem.verify.ClaimedEdges;
 import dct.problem.verify.ClaimedFlips;
+import dct.problem.verify.ClaimedWindow;
 import dct.problem.verify.Claims;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
@@ -38,6 +41,10 @@ final class JsonText {
 
   private static final String PAIR_WRONG =
       "\"" + ResultJson.GIVEN_EDGES + "\" is not a list of pairs%s; write [[u, v], …]";
+  private static final String WINDOW_FORM =
+      "write {\"windows\": [{\"unmet\": 1, \"sites\": [0, 1, …]}, …]}";
+  private static final String CERTIFICATE_WRONG =
+      "the certificate is not of the known form%s; " + WINDOW_FORM;
 
   private static final String FOLLOWED = "something follows the JSON object; remove it";
 
@@ -48,6 +55,7 @@ final class JsonText {
   private PointColumns points;
   private ClaimedEdges edges;
   private ClaimedFlips flips;
+  private final List<ClaimedWindow> windows = new ArrayList<>();
   private boolean ended; // the object is closed
 
   private JsonText(String name, InputStream in) {
@@ -95,7 +103,8 @@ final class JsonText {
     if (points == null) {
       throw fault("there is no field \"points\"; " + FORM);
     }
-    return new Claims(name, Map.copyOf(values), points.points(), points.lines(), edges, flips);
+    return new Claims(
+        name, Map.copyOf(values), points.points(), points.lines(), edges, flips, windows);
   }
 
   private void field(String field) throws IOException {
@@ -109,6 +118,7 @@ final class JsonText {
       case "points" -> readPoints();
       case "edgeList" -> readEdges();
       case "flipList" -> readFlips();
+      case "certificate" -> readCertificate();
       case "kind" -> readKind();
       case ResultJson.GIVEN_EDGES -> values.put(field, pairs());
       default -> readValue(field);
@@ -214,6 +224,48 @@ final class JsonText {
     }
     json.endArray();
     return ends.build().toArray();
+  }
+
+  private void readCertificate() throws IOException {
+    values.put("certificate", JsonToken.BEGIN_OBJECT); // so that it is known to have been there
+    require(JsonToken.BEGIN_OBJECT, CERTIFICATE_WRONG);
+    json.beginObject();
+    while (json.hasNext()) {
+      if (json.nextName().equals("windows")) {
+        require(JsonToken.BEGIN_ARRAY, CERTIFICATE_WRONG);
+        json.beginArray();
+        while (json.hasNext()) {
+          readWindow();
+        }
+        json.endArray();
+      } else {
+        json.skipValue();
+      }
+    }
+    json.endObject();
+  }
+
+  private void readWindow() throws IOException {
+    int unmet = 0;
+    List<Integer> sites = new ArrayList<>();
+    require(JsonToken.BEGIN_OBJECT, CERTIFICATE_WRONG);
+    json.beginObject();
+    while (json.hasNext()) {
+      switch (json.nextName()) {
+        case "unmet" -> unmet = vertex(CERTIFICATE_WRONG);
+        case "sites" -> {
+          require(JsonToken.BEGIN_ARRAY, CERTIFICATE_WRONG);
+          json.beginArray();
+          while (json.hasNext()) {
+            sites.add(vertex(CERTIFICATE_WRONG));
+          }
+          json.endArray();
+        }
+        default -> json.skipValue();
+      }
+    }
+    json.endObject();
+    windows.add(new ClaimedWindow(unmet, sites));
   }
 
   private int vertex(String wrong) throws IOException {

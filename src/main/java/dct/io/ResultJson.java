@@ -7,6 +7,7 @@ import dct.core.Progress;
 import dct.core.degree.DegreeCount;
 import dct.core.degree.Flip;
 import dct.core.degree.FlipList;
+import dct.core.degree.LocalBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.Preference;
@@ -31,6 +32,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -150,6 +152,7 @@ public final class ResultJson {
           if (solution.flips().isPresent()) {
             json.flips(FlipList.of(solution.flips().get()));
           }
+          json.certificate(solution.bound().windows());
         });
   }
 
@@ -353,6 +356,21 @@ public final class ResultJson {
         json.jsonValue("\n[" + ends[i] + ", " + ends[i + 1] + "]");
       }
       endLines();
+    }
+  }
+
+  private void certificate(List<LocalBound> windows) throws IOException {
+    if (!windows.isEmpty()) {
+      json.name("certificate").beginObject();
+      json.name("windows").beginArray();
+      for (LocalBound window : windows) {
+        json.beginObject().name("unmet").value(window.unmet()).name("sites").beginArray();
+        for (int v : window.sites().stream().toArray()) {
+          json.value(v);
+        }
+        json.endArray().endObject();
+      }
+      json.endArray().endObject();
     }
   }
 

@@ -1,6 +1,7 @@
 package dct.problem;
 
 import dct.core.Progress;
+import dct.core.degree.LocalBound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
@@ -18,6 +19,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -117,8 +119,12 @@ public sealed interface Instance {
    */
   LowerBound quickBound(Triangulation any);
 
-  /** What can be said of the claim that no triangulation leaves fewer wishes open than this. */
-  BoundCheck check(int claimed, Progress progress);
+  /**
+   * What can be said of the claim that no triangulation leaves fewer wishes open than this.
+   *
+   * @param windows whose sum it may be; of sites
+   */
+  BoundCheck check(int claimed, List<LocalBound> windows, Progress progress);
 
   /** The number of vertices, merged duplicates not counted. */
   default int size() {
@@ -189,7 +195,7 @@ public sealed interface Instance {
     }
 
     @Override
-    public BoundCheck check(int claimed, Progress progress) {
+    public BoundCheck check(int claimed, List<LocalBound> windows, Progress progress) {
       return BoundCheck.of(polygon, wishes, claimed, progress);
     }
   }
@@ -248,8 +254,8 @@ public sealed interface Instance {
     }
 
     @Override
-    public BoundCheck check(int claimed, Progress progress) {
-      return BoundCheck.of(sites, wishes, claimed, progress);
+    public BoundCheck check(int claimed, List<LocalBound> windows, Progress progress) {
+      return BoundCheck.of(sites, wishes, claimed, windows, progress);
     }
   }
 }

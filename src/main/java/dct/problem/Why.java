@@ -51,7 +51,7 @@ public final class Why {
 
   private Explanation explanation(Progress progress) {
     Triangulation triangulation = solution.triangulation();
-    return BoundExplanation.of(triangulation, goal, bound, progress)
+    return BoundExplanation.of(triangulation, goal, solution.bound(), progress)
         .or(() -> exact(progress))
         .orElseGet(this::unexplained)
         .after(known());

@@ -125,4 +125,44 @@ class VerifyBoundTest {
     assertThat(run.out())
         .contains("4 was recomputed (refuted: 596 sets of at most 2 odd vertices)");
   }
+
+  private static JsonObject crossWithWindows(String windows) {
+    StringBuilder points = new StringBuilder(SITES);
+    double[] pairs = SmallSets.cross(10, 10);
+    for (int i = 0; i < pairs.length; i += 2) {
+      points.append(pairs[i]).append(' ').append(pairs[i + 1]).append('\n');
+    }
+    JsonObject result = result(points.toString(), 4, "windows that cannot be all even");
+    result.add("certificate", JsonParser.parseString("{\"windows\": " + windows + "}"));
+    return result;
+  }
+
+  @Test
+  void theWindowsOfACertificateAreProvenAgain() {
+    String odd = "[1, 3, 5, 7, 9, 11, 13, 15, 17, 19]";
+    String other = "[21, 23, 25, 27, 29, 31, 33, 35, 37, 39]";
+    String even = "[20, 22, 24, 26, 28, 30, 32, 34, 36, 38, 40]";
+    String form =
+        "[{\"unmet\": 1, \"sites\": %s}, {\"unmet\": 1, \"sites\": %s},"
+            + " {\"unmet\": 1, \"sites\": %s}]";
+    assertThat(verified(crossWithWindows(form.formatted(odd, other, even))))
+        .contains("4 was recomputed (windows that cannot be all even)");
+    assertThat(verified(crossWithWindows(form.formatted(odd, other, odd))))
+        .contains("4 was recomputed (refuted: 821 sets of at most 2 odd vertices)");
+  }
+
+  @Test
+  void aCertificateWithSitesThatThereAreNotIsFalse() {
+    assertThat(fault(crossWithWindows("[{\"unmet\": 1, \"sites\": [41]}]")))
+        .contains("a window of the certificate has no site 41");
+    assertThat(fault(crossWithWindows("[{\"unmet\": 2, \"sites\": [4]}]")))
+        .contains("a window of the certificate is said to have 2 unmet sites");
+  }
+
+  @Test
+  void aCertificateOfAnotherFormIsRefusedWithItsPlace() {
+    CliRun run = CliRun.withInput(crossWithWindows("[[4]]").toString(), "verify", "-");
+    assertThat(run.status()).isEqualTo(3);
+    assertThat(run.err()).contains("-:1: the certificate is not of the known form");
+  }
 }

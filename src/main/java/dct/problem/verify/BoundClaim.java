@@ -106,7 +106,7 @@ final class BoundClaim {
             + " "
             + what
             + " are here");
-    BoundCheck check = instance.check((int) bound, progress);
+    BoundCheck check = instance.check((int) bound, claims.windows(instance.size()), progress);
     int value = check.recomputed().value();
     String reason = " (" + check.recomputed().reason() + ")";
     return switch (check.verdict()) {

@@ -1,9 +1,11 @@
 package dct.problem.verify;
 
+import dct.core.degree.LocalBound;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.problem.Post;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -23,6 +25,7 @@ public final class Claims {
   private final int[] pointLines;
   private final ClaimedEdges edges; // null if the file has none
   private final ClaimedFlips flips; // null if the file has none
+  private final List<ClaimedWindow> windows;
 
   /**
    * What stands in a file.
@@ -32,6 +35,7 @@ public final class Claims {
    * @param pointLines the line of each point
    * @param edges null if the file has no list of edges
    * @param flips null if the file has no list of flips
+   * @param windows those of a certificate, if there is one
    */
   public Claims(
       String source,
@@ -39,13 +43,15 @@ public final class Claims {
       Points points,
       int[] pointLines,
       ClaimedEdges edges,
-      ClaimedFlips flips) {
+      ClaimedFlips flips,
+      List<ClaimedWindow> windows) {
     this.source = source;
     this.values = values;
     this.points = points;
     this.pointLines = pointLines.clone();
     this.edges = edges;
     this.flips = flips;
+    this.windows = List.copyOf(windows);
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */
@@ -92,7 +98,7 @@ public final class Claims {
 
   /** The same where nothing is known of the lines of points. */
   public Claims withoutLines() {
-    return new Claims(source, values, points, new int[points.size()], edges, flips);
+    return new Claims(source, values, points, new int[points.size()], edges, flips, windows);
   }
 
   /** Whether the file has a list of edges. */
@@ -113,6 +119,16 @@ public final class Claims {
   /** The flips in order; only if there is a list of them. */
   public ClaimedFlips flips() {
     return flips;
+  }
+
+  /**
+   * The windows of the certificate.
+   *
+   * @param n the number of sites
+   * @throws FalseClaim if they have sites that there are not
+   */
+  List<LocalBound> windows(int n) {
+    return windows.stream().map(window -> window.among(n)).toList();
   }
 
   /** Whether there is a field of this name, other than the lists of points, edges and flips. */

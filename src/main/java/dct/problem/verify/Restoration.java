@@ -84,7 +84,8 @@ public final class Restoration {
     LowerBound bound =
         new LowerBound(
             (int) claims.required(wishes ? "unsatisfiedLowerBound" : "oddLowerBound"),
-            claims.text("boundReason").orElse("no reason given"));
+            claims.text("boundReason").orElse("no reason given"),
+            claims.windows(n));
     Triangulation best = plain.triangulation();
     boolean interrupted = claims.flag("interrupted").orElse(false);
     Optimum optimum = new Optimum(best, goal, goal.unmet(best), bound, interrupted);

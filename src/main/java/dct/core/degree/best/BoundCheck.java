@@ -1,6 +1,7 @@
 package dct.core.degree.best;
 
 import dct.core.Progress;
+import dct.core.degree.LocalBound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
@@ -11,6 +12,7 @@ import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
+import java.util.List;
 
 /**
  * What can be said of a lower bound that someone claims, from the input alone.
@@ -42,11 +44,16 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
    * Checks a bound for sites.
    *
    * @param claimed the number that no triangulation is said to go below
+   * @param windows whose sum it may be; they are checked first
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static BoundCheck of(Sites sites, ParityGoal goal, int claimed, Progress progress) {
+  public static BoundCheck of(
+      Sites sites, ParityGoal goal, int claimed, List<LocalBound> windows, Progress progress) {
     Triangulation start = Delaunay.triangulate(sites, progress);
     LowerBound quick = SiteBounds.quick(start, goal, progress);
+    if (quick.value() < claimed && !windows.isEmpty()) {
+      quick = quick.max(SiteBounds.ofWindows(start, goal, windows, progress));
+    }
     return quick.value() >= claimed
         ? new BoundCheck(Verdict.RECOMPUTED, quick)
         : judge(SiteOptimizer.optimize(start, goal, quick, limits(), progress), claimed, progress);

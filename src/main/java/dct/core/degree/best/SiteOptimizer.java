@@ -150,7 +150,7 @@ public final class SiteOptimizer {
     search.solveStrips(bound.value(), LITTLE_EFFORT * limits.effort());
     refuteSets();
     if (isOpen()) {
-      bound = bound.max(SiteBounds.ofWindows(start, goal, search.unmet(), clock));
+      bound = bound.max(SiteBounds.ofWindows(search.triangulation(), goal, clock));
       if (limits.seconds() < Double.POSITIVE_INFINITY) {
         searchAnew();
       } else {

@@ -29,16 +29,19 @@ public final class BoundExplanation {
   private final HullRing ring;
   private final ParityGoal goal;
   private final Handshake handshake;
+  private final LowerBound proven;
   private final int value;
   private final Progress progress;
   private int known; // the best bound computed so far
 
-  private BoundExplanation(Triangulation any, ParityGoal goal, int value, Progress progress) {
+  private BoundExplanation(
+      Triangulation any, ParityGoal goal, LowerBound proven, Progress progress) {
     this.any = any;
     this.ring = HullRing.of(any);
     this.goal = goal;
     this.handshake = new Handshake(goal);
-    this.value = value;
+    this.proven = proven;
+    value = proven.value();
     this.progress = progress;
   }
 
@@ -46,18 +49,18 @@ public final class BoundExplanation {
    * Why no triangulation misses fewer wishes than this.
    *
    * @param any any triangulation of the instance
-   * @param value a bound that was proven
+   * @param proven a bound that was proven; its windows, if it has any, are believed
    * @return empty if none of the bounds of this package reaches it
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Optional<Explanation> of(
-      Triangulation any, ParityGoal goal, int value, Progress progress) {
+      Triangulation any, ParityGoal goal, LowerBound proven, Progress progress) {
     if (any.domain() == Domain.POLYGON) {
-      return ofPolygon(any, goal, value);
+      return ofPolygon(any, goal, proven.value());
     }
     return any.triangleCount() == 0
         ? Optional.of(ofPath(any, goal))
-        : new BoundExplanation(any, goal, value, progress).ofSites();
+        : new BoundExplanation(any, goal, proven, progress).ofSites();
   }
 
   private static Explanation ofPath(Triangulation path, ParityGoal goal) {
@@ -131,8 +134,9 @@ public final class BoundExplanation {
         .or(this::threeHullSites)
         .or(this::walk)
         .or(this::threeHullSites)
+        .or(() -> windows(proven))
         .or(this::refuted)
-        .or(this::windows);
+        .or(() -> windows(SiteBounds.ofWindows(any, goal, progress)));
   }
 
   private Optional<Explanation> reached(LowerBound bound, Supplier<Explanation> explanation) {
@@ -188,11 +192,9 @@ public final class BoundExplanation {
     return OddSetProof.of(any, goal, value, progress).map(proof -> OddSetMarks.of(proof, goal));
   }
 
-  private Optional<Explanation> windows() {
-    return goal.isAll(Wish.EVEN)
-        ? WindowBound.windows(ring, value, progress)
-            .filter(found -> handshake.roundUp(found.windows().size()) >= value)
-            .map(found -> WindowMarks.of(ring.points(), found.windows(), found.byX()))
-        : Optional.empty();
+  private Optional<Explanation> windows(LowerBound sum) {
+    return sum.windows().isEmpty() || sum.value() < value
+        ? Optional.empty()
+        : Optional.of(WindowMarks.of(ring.points(), goal, sum.windows()));
   }
 }

@@ -31,7 +31,7 @@ final class Handshake {
 
   /** A bound whose value is rounded up and not negative. */
   LowerBound roundUp(LowerBound bound) {
-    return new LowerBound(roundUp(Math.max(0, bound.value())), bound.reason());
+    return new LowerBound(roundUp(Math.max(0, bound.value())), bound.reason(), bound.windows());
   }
 
   /** One if an odd number of vertices are wished odd and none is free, or else zero. */

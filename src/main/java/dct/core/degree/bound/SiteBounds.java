@@ -1,12 +1,14 @@
 package dct.core.degree.bound;
 
 import dct.core.Progress;
+import dct.core.degree.LocalBound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.colour.HullRing;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -62,19 +64,30 @@ public final class SiteBounds {
   }
 
   /**
-   * The bound from windows that cannot be all even ({@link WindowBound}): seconds for a hundred
-   * sites, and zero where it does not apply or is too much to compute.
+   * The bound from windows that cannot be granted all wishes ({@link WindowBound}): some seconds
+   * for a hundred sites, and zero where it is too much to compute.
    *
-   * @param triangulation any triangulation of the sites, with at least one triangle
-   * @param enough a number of unmet wishes that is known to be possible
+   * @param best the best triangulation of the sites that is known, with at least one triangle
+   * @throws CancellationException if cancelled
+   */
+  public static LowerBound ofWindows(Triangulation best, ParityGoal goal, Progress progress) {
+    check(best, goal);
+    return new Handshake(goal).roundUp(WindowBound.of(HullRing.of(best), goal, progress));
+  }
+
+  /**
+   * The sum of those windows that are proven again in some seconds, rounded up.
+   *
+   * @param any any triangulation of the sites, with at least one triangle
+   * @param windows windows that someone claims; those that are not convex, or have a site of one
+   *     before, count for nothing
    * @throws CancellationException if cancelled
    */
   public static LowerBound ofWindows(
-      Triangulation triangulation, ParityGoal goal, int enough, Progress progress) {
-    check(triangulation, goal);
-    return WindowBound.of(HullRing.of(triangulation), goal, enough, progress)
-        .map(new Handshake(goal)::roundUp)
-        .orElse(new LowerBound(0, "handshake lemma"));
+      Triangulation any, ParityGoal goal, List<LocalBound> windows, Progress progress) {
+    check(any, goal);
+    return new Handshake(goal)
+        .roundUp(WindowBound.ofClaims(HullRing.of(any), goal, windows, progress));
   }
 
   /**

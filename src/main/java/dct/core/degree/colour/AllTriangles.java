@@ -3,17 +3,21 @@ package dct.core.degree.colour;
 import dct.core.Progress;
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
- * All empty triangles of some sites, those with no other site in them or on them, and the edges
- * between them. About 2n² triangles of random sites, up to n³/6; found in time proportional to
- * their number, with O(n log n) for each site.
+ * All empty triangles at some sites, those with no other site in them or on them, and the edges
+ * between them. About 2n² triangles at all of n random sites, up to n³/6; found in time
+ * proportional to the triangles at these sites, with O(n log n) for each site.
  */
 public final class AllTriangles {
+  private static final int[] NONE = {};
+
   private int[] corner = new int[256]; // by side: where it starts; three sides a triangle
   private int count; // triangles
   private int[] edge; // by side: the edge it lies on
@@ -22,18 +26,26 @@ public final class AllTriangles {
   private int[][] sidesAt; // by site: the sides that start there
   private int[][] endsAt; // by site: twice an edge, plus 1 at its end with the higher number
 
-  /** The triangles, or empty if there are more than {@code most}. */
+  /** The triangles at all sites, or empty if there are more than {@code most}. */
   public static Optional<AllTriangles> of(Points points, int most, Progress progress) {
+    BitSet all = new BitSet();
+    all.set(0, points.size());
+    return of(points, all, most, progress);
+  }
+
+  /** The triangles at some sites, or empty if there are more than {@code most}. */
+  static Optional<AllTriangles> of(Points points, BitSet at, int most, Progress progress) {
     AllTriangles all = new AllTriangles();
     int[] order = sweepOrder(points);
-    for (int i = 0; i + 2 < order.length; i++) {
+    BitSet done = new BitSet();
+    for (int i = 0; i < order.length; i++) {
       progress.checkCancelled();
-      int[] later = Arrays.copyOfRange(order, i + 1, order.length);
-      Optional<EmptyFan> fan = EmptyFan.of(points, order[i], later, most - all.count);
-      if (fan.isEmpty()) {
-        return Optional.empty();
+      if (at.get(order[i])) {
+        if (!all.addAt(points, order, i, done, most)) {
+          return Optional.empty();
+        }
+        done.set(order[i]);
       }
-      all.add(order[i], fan.get());
     }
     all.index(points.size());
     return Optional.of(all);
@@ -47,18 +59,53 @@ public final class AllTriangles {
     return Arrays.stream(order).mapToInt(v -> v).toArray();
   }
 
-  private void add(int hub, EmptyFan fan) {
-    for (int j = 1; j < fan.size(); j++) {
+  /** Adds the triangles at a site that have no corner done before; false if that makes too many. */
+  private boolean addAt(Points points, int[] order, int i, BitSet done, int most) {
+    int hub = order[i];
+    int[] right = EmptyFan.seen(points, hub, Arrays.stream(order, i + 1, order.length));
+    if (done.cardinality() == i) { // nothing else is left of it
+      return add(hub, EmptyFan.of(points, hub, right, false, most), 0, done, most);
+    }
+    int[] left = EmptyFan.seen(points, hub, Arrays.stream(order, 0, i));
+    return add(hub, EmptyFan.of(points, hub, joined(right, left), true, most), 0, done, most)
+        && add(
+            hub,
+            EmptyFan.of(points, hub, joined(left, right), true, most),
+            left.length, // the others contain the direction straight down
+            done,
+            most);
+  }
+
+  private static int[] joined(int[] first, int[] second) {
+    return IntStream.concat(Arrays.stream(first), Arrays.stream(second)).toArray();
+  }
+
+  /** Adds the triangles of a fan whose corners are numbered less than {@code cut}, and not. */
+  private boolean add(int hub, Optional<EmptyFan> some, int cut, BitSet done, int most) {
+    if (some.isEmpty()) {
+      return false;
+    }
+    EmptyFan fan = some.get();
+    for (int j = Math.max(1, cut); j < fan.size(); j++) {
       for (int place = fan.firstPartner(j); place < fan.firstPartner(j + 1); place++) {
-        if (3 * count + 3 > corner.length) {
-          corner = Arrays.copyOf(corner, 2 * corner.length);
+        int i = fan.partner(place);
+        boolean isCut = cut == 0 || i < cut;
+        if (isCut && !done.get(fan.site(i)) && !done.get(fan.site(j))) {
+          add(hub, fan.site(i), fan.site(j));
         }
-        corner[3 * count] = hub;
-        corner[3 * count + 1] = fan.site(fan.partner(place));
-        corner[3 * count + 2] = fan.site(j);
-        count++;
       }
     }
+    return count <= most;
+  }
+
+  private void add(int a, int b, int c) {
+    if (3 * count + 3 > corner.length) {
+      corner = Arrays.copyOf(corner, 2 * corner.length);
+    }
+    corner[3 * count] = a;
+    corner[3 * count + 1] = b;
+    corner[3 * count + 2] = c;
+    count++;
   }
 
   private void index(int n) {
@@ -87,7 +134,7 @@ public final class AllTriangles {
       size[key]++;
     }
     int[][] groups = new int[bound][];
-    Arrays.setAll(groups, key -> new int[size[key]]);
+    Arrays.setAll(groups, key -> size[key] == 0 ? NONE : new int[size[key]]);
     for (int i = keys.length - 1; i >= 0; i--) {
       groups[keys[i]][--size[keys[i]]] = i;
     }
@@ -128,18 +175,14 @@ public final class AllTriangles {
     return endsAt[site];
   }
 
-  /**
-   * The edge between two sites, in time proportional to the edges at the first.
-   *
-   * @throws IllegalStateException if no triangle has such an edge
-   */
-  public int edgeBetween(int from, int to) {
+  /** The edge between two sites, or −1; in time proportional to the edges at the first. */
+  int findEdge(int from, int to) {
     for (int end : endsAt[from]) {
       if (site(end ^ 1) == to) {
         return end >> 1;
       }
     }
-    throw new IllegalStateException("no triangle on the edge from " + from + " to " + to);
+    return -1;
   }
 
   /** The site at this end of an edge. */

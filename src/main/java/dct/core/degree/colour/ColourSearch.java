@@ -103,7 +103,7 @@ final class ColourSearch {
     for (int k = 0; k < ring.size(); k++) {
       int e = sides.hullEdge(k);
       boolean left = ring.site(k) < ring.site(k + 1);
-      if (!colouring.isCovered(e, left)) {
+      if (e != SignedSides.NONE && !colouring.isCovered(e, left)) {
         offer(colouring.rows().wantedRow(e), left);
       }
     }

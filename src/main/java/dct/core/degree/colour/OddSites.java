@@ -8,7 +8,8 @@ import java.util.Comparator;
 import java.util.Optional;
 
 /**
- * Decides whether some triangulation of sites has exactly given odd vertices, and no others.
+ * Decides whether some triangulation of sites has exactly given odd vertices, and no others; or
+ * whether that can be said of the sites in a window.
  *
  * <p>The triangles that it may consist of are coloured so that neighbours differ, but for a change
  * of colour across rays from the odd vertices ({@link SignedSides}); the rows on their edges are
@@ -26,29 +27,115 @@ public final class OddSites {
 
   private final SignedSides sides;
   private final ColourSearch search;
-  private final BitSet allEdges = new BitSet();
+  private final BitSet listed; // the sites whose triangles are known
   private int direction; // in which the next refutation is made smaller
 
-  private OddSites(AllTriangles triangles, HullRing ring) {
+  private OddSites(AllTriangles triangles, HullRing ring, BitSet listed) {
+    this.listed = listed;
     sides = new SignedSides(triangles, ring);
     search = new ColourSearch(sides);
-    allEdges.set(0, triangles.edges());
   }
 
   /**
    * Gets ready to decide, or is empty if there are more than so many empty triangles.
    *
+   * @param at the sites that windows may consist of; others matter as far as triangles at these
+   *     have them as corners
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static Optional<OddSites> of(HullRing ring, int mostTriangles, Progress progress) {
-    Points points = ring.points();
-    return AllTriangles.of(points, mostTriangles, progress).map(all -> new OddSites(all, ring));
+  public static Optional<OddSites> of(
+      HullRing ring, BitSet at, int mostTriangles, Progress progress) {
+    return AllTriangles.of(ring.points(), at, mostTriangles, progress)
+        .map(triangles -> new OddSites(triangles, ring, at));
+  }
+
+  /** The hull of the sites. */
+  public HullRing ring() {
+    return sides.ring();
+  }
+
+  // ---- windows
+
+  /**
+   * The sites in an open convex region, of which alone something is said.
+   *
+   * <p>Claim: if some triangulation has exactly the odd vertices O in the window, whatever others
+   * it has elsewhere, then the rows on the edges with an end in the window have a solution for O
+   * and some of the gaps. Proof: it has one for all its odd vertices, which has one on these rows.
+   * Link two triangles if they share such an edge. What is between the centre of an empty triangle,
+   * the midpoint of its side and a corner holds no site; so each cycle of links can be moved, over
+   * no site, near the corners in the window, and goes round sites of the window only. Hence rays
+   * from other sites change no sum of signs on such a cycle. Cycles that leave the hull by one run
+   * of hull edges that meet in the window, and come back by another, may go round anything; but
+   * whatever that is, it has the parity that the hull sites between the runs have together, and one
+   * of them, a gap, can stand for it. One more gap makes the number of odd sites even. ∎
+   */
+  public static final class Window {
+    private final BitSet sites;
+    private final BitSet edges = new BitSet();
+    private final BitSet gaps = new BitSet();
+    private final boolean isAll;
+
+    private Window(BitSet sites, SignedSides sides) {
+      this.sites = sites;
+      isAll = sites.cardinality() == sides.ring().points().size();
+      sites.stream().forEach(v -> addEdges(v, sides.triangles()));
+      addGaps(sides.ring());
+    }
+
+    private void addEdges(int v, AllTriangles triangles) {
+      for (int end : triangles.endsAt(v)) {
+        edges.set(end >> 1);
+      }
+    }
+
+    private void addGaps(HullRing ring) {
+      for (int k = 0; k < ring.size(); k++) {
+        if (sites.get(ring.site(k)) && !sites.get(ring.site(k + 1))) {
+          gaps.set(ring.site(k + 1));
+        }
+      }
+    }
+
+    /** The sites in it. */
+    public BitSet sites() {
+      return sites;
+    }
+
+    /** Hull sites that are not in it, which may be odd or not. */
+    public BitSet gaps() {
+      return gaps;
+    }
+
+    /** Whether the number of odd sites, gaps included, is even. */
+    public boolean isEven() {
+      return isAll || !gaps.isEmpty();
+    }
+
+    /** Whether all sites are in it. */
+    public boolean isAll() {
+      return isAll;
+    }
+  }
+
+  /**
+   * A window.
+   *
+   * @param within the sites in an open convex region, some of those whose triangles were listed
+   */
+  public Window window(BitSet within) {
+    BitSet others = (BitSet) within.clone();
+    others.andNot(listed);
+    if (!others.isEmpty()) {
+      throw new IllegalArgumentException("triangles at these sites are not known: " + others);
+    }
+    return new Window(within, sides);
   }
 
   /** What was decided. */
   public sealed interface Answer {
 
-    /** There is one, {@link OddSites#corners}. */
+    /** There is one, {@link OddSites#corners}; or nothing was found against it in the window. */
     record Found() implements Answer {}
 
     /** There is none, for this reason. */
@@ -59,20 +146,21 @@ public final class OddSites {
   }
 
   /**
-   * Decides for these odd vertices, whose number is even.
+   * Decides for these odd vertices.
    *
+   * @param odd sites of the window, and some of its gaps; an even number where it must be
    * @param mostSteps give up after about so many values and looks at sides
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public Answer decide(BitSet odd, long mostSteps, Progress progress) {
-    boolean isUnbalanced = isUnbalanced(odd);
+  public Answer decide(Window window, BitSet odd, long mostSteps, Progress progress) {
+    boolean isUnbalanced = window.isAll && isUnbalanced(odd);
     long enough = (long) STEPS_A_TRIANGLE * sides.triangles().count();
     long most = isUnbalanced ? Math.min(mostSteps, enough) : mostSteps;
-    return switch (search.search(odd.stream().toArray(), allEdges, most, progress)) {
+    return switch (search.search(odd.stream().toArray(), window.edges, most, progress)) {
       case FOUND -> new Answer.Found();
       case REFUTED ->
           new Answer.Refuted(
-              smaller(Refutation.of(search.refutation(), sides, odd), odd, progress));
+              smaller(Refutation.of(search.refutation(), sides, odd), window, odd, progress));
       case GIVEN_UP ->
           isUnbalanced
               ? new Answer.Refuted(Refutation.exactly(sides.ring().points().size(), odd))
@@ -80,7 +168,7 @@ public final class OddSites {
     };
   }
 
-  /** After Found: the triangulation, three sites a triangle, counter-clockwise. */
+  /** After Found with all sites: the triangulation, three sites a triangle, counter-clockwise. */
   public int[] corners() {
     return search.corners();
   }
@@ -112,11 +200,13 @@ public final class OddSites {
   // ---- fewer rows
 
   /** Refutes the same by the edges at as few sites on one side as can be found by bisection. */
-  private Refutation smaller(Refutation whole, BitSet odd, Progress progress) {
-    if (whole.support().cardinality() <= SMALL) {
+  private Refutation smaller(Refutation whole, Window window, BitSet odd, Progress progress) {
+    BitSet support = (BitSet) whole.support().clone();
+    support.and(window.sites);
+    if (support.cardinality() <= SMALL) {
       return whole;
     }
-    Integer[] order = whole.support().stream().boxed().toArray(Integer[]::new);
+    Integer[] order = support.stream().boxed().toArray(Integer[]::new);
     Arrays.sort(order, nextDirection());
     Core best = null;
     int held = 0; // so few are not enough

@@ -93,16 +93,20 @@ final class PartialColouring {
 
   private void colourHull() {
     HullRing ring = sides.ring();
+    BitSet changes = new BitSet(); // positions after whose edge the colour is another
+    for (int u : odd) {
+      changes.flip(sides.exit(u));
+    }
     int colour = 0;
     for (int k = 0; k < ring.size(); k++) {
       int e = sides.hullEdge(k);
-      boolean isForward = ring.site(k) < ring.site(k + 1);
-      int row = 2 * e + (isForward ? colour : 1 - colour);
-      rows.want(row, isForward ? 1 : -1);
-      rows.want(row ^ 1, 0);
-      for (int u : odd) {
-        colour ^= sides.isCrossedOutside(k, u) ? 1 : 0;
+      if (e != SignedSides.NONE) {
+        boolean isForward = ring.site(k) < ring.site(k + 1);
+        int row = 2 * e + (isForward ? colour : 1 - colour);
+        rows.want(row, isForward ? 1 : -1);
+        rows.want(row ^ 1, 0);
       }
+      colour ^= changes.get(k) ? 1 : 0;
     }
   }
 

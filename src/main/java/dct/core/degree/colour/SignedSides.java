@@ -2,6 +2,7 @@ package dct.core.degree.colour;
 
 import dct.core.geometry.Points;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The sides of all empty triangles, and which of them change the colour when a site is to be odd.
@@ -26,14 +27,16 @@ final class SignedSides {
   private final Points points;
   private final int[] bottom; // by triangle: its bottom side
   private final int[] flank; // by triangle: the edge from its top corner to the middle one
-  private final int[] hullEdge; // by position
+  private final int[] hullEdge; // by position; NONE where no triangle is known
   private final int[] hullPosition; // by edge, or NONE
   private final int[][] crossed; // by site: the sides that its ray crosses, or null
   private final int[][] crossing; // by edge: the edges that cross it, or null
   private int kept; // numbers in crossing
   private final long[] noRay;
   private final long[][] raysAcross; // by triangle, or null
-  private final long[][] raysOutside; // by position
+  private final long[][] raysOutside; // by position, or null
+  private final int[] rising; // positions of the hull from its lowest site to the one below its top
+  private int[] exits; // by site: where its ray leaves, or null
 
   SignedSides(AllTriangles triangles, HullRing ring) {
     this.triangles = triangles;
@@ -48,15 +51,23 @@ final class SignedSides {
     Arrays.fill(hullPosition, NONE);
     hullEdge = new int[ring.size()];
     for (int k = 0; k < hullEdge.length; k++) {
-      hullEdge[k] = triangles.edgeBetween(ring.site(k), ring.site(k + 1));
-      hullPosition[hullEdge[k]] = k;
+      hullEdge[k] = triangles.findEdge(ring.site(k), ring.site(k + 1));
+      if (hullEdge[k] != NONE) {
+        hullPosition[hullEdge[k]] = k;
+      }
     }
     crossed = new int[points.size()][];
     crossing = new int[triangles.edges()][];
     noRay = new long[(points.size() + Long.SIZE - 1) / Long.SIZE];
     raysAcross = new long[triangles.count()][];
     raysOutside = new long[ring.size()][];
-    findRaysOutside();
+    rising =
+        IntStream.range(0, ring.size())
+            .filter(k -> isBelow(ring.site(k), ring.site(k + 1)))
+            .boxed()
+            .sorted((k, l) -> isBelow(ring.site(k), ring.site(l)) ? -1 : 1)
+            .mapToInt(Integer::intValue)
+            .toArray();
   }
 
   private void orderCorners(int t) {
@@ -140,30 +151,35 @@ final class SignedSides {
   }
 
   /**
-   * Whether the ray of u is crossed on the way, outside the hull, from the edge at position k to
-   * the next one.
+   * The position of the hull edge just before the way outside, from one edge to the next, crosses
+   * the ray of a site: the last one that begins below the site or in it, but for rays from the top.
    */
-  boolean isCrossedOutside(int k, int u) {
-    int v = ring.site(k + 1);
-    int next = ring.site(k + 2);
-    if (isBelow(v, next)) {
-      return u == v || (isBelow(v, u) && isBelow(u, next));
-    }
-    return u == v && isBelow(ring.site(k), v);
-  }
-
-  private void findRaysOutside() {
-    raysOutside[0] = noRay;
-    for (int k = 1; k < raysOutside.length; k++) {
-      raysOutside[k] = raysOutside[k - 1].clone();
-      for (int u = 0; u < points.size(); u++) {
-        raysOutside[k][u / Long.SIZE] ^= isCrossedOutside(k - 1, u) ? 1L << u : 0;
+  int exit(int u) {
+    int low = 0;
+    int high = rising.length;
+    while (high - low > 1) {
+      int middle = (low + high) >>> 1;
+      if (isBelow(u, ring.site(rising[middle]))) {
+        high = middle;
+      } else {
+        low = middle;
       }
     }
+    boolean isTop = u == ring.site(rising[low] + 1);
+    return Math.floorMod(isTop ? rising[low] : rising[low] - 1, ring.size());
   }
 
   /** The sites whose rays are crossed outside from the first hull edge to that at position k. */
   long[] raysOutside(int k) {
+    if (exits == null) {
+      exits = IntStream.range(0, points.size()).map(this::exit).toArray();
+    }
+    if (raysOutside[k] == null) {
+      raysOutside[k] = new long[noRay.length];
+      for (int u = 0; u < exits.length; u++) {
+        raysOutside[k][u / Long.SIZE] |= exits[u] < k ? 1L << u : 0;
+      }
+    }
     return raysOutside[k];
   }
 

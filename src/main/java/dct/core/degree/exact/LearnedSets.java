@@ -13,13 +13,14 @@ import java.util.List;
 final class LearnedSets {
   private final BitSet set; // the present set of odd sites
   private final List<Refutation> all = new ArrayList<>();
-  private long[][] around; // by site and refutation: the cycles round the site, folded
+  private final long[][] around; // by site and refutation: the cycles round the site, folded
   private long[] rest = new long[64]; // by refutation: 0 if it may refute the present set
 
-  /** Nothing learned yet, for n sites of which these are odd. */
-  LearnedSets(int n, BitSet odd) {
+  /** Nothing learned yet, for some sites of which these are odd. */
+  LearnedSets(BitSet sites, BitSet odd) {
     set = odd;
-    around = new long[n][rest.length];
+    around = new long[sites.length()][];
+    sites.stream().forEach(v -> around[v] = new long[rest.length]);
   }
 
   /** The present set; not to be changed. */
@@ -40,12 +41,14 @@ final class LearnedSets {
     all.add(refutation);
     if (j == rest.length) {
       rest = Arrays.copyOf(rest, 2 * j);
-      Arrays.setAll(around, v -> Arrays.copyOf(around[v], rest.length));
+      Arrays.setAll(around, v -> around[v] == null ? null : Arrays.copyOf(around[v], rest.length));
     }
     rest[j] = fold(refutation.odd());
     for (int v = 0; v < around.length; v++) {
-      around[v][j] = fold(refutation.around(v));
-      rest[j] ^= set.get(v) ? around[v][j] : 0;
+      if (around[v] != null) {
+        around[v][j] = fold(refutation.around(v));
+        rest[j] ^= set.get(v) ? around[v][j] : 0;
+      }
     }
   }
 

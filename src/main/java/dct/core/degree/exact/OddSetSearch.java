@@ -8,12 +8,14 @@ import dct.core.degree.colour.OddSites;
 import dct.core.degree.colour.OddSites.Answer;
 import dct.core.degree.colour.OddSites.Answer.Found;
 import dct.core.degree.colour.OddSites.Answer.Refuted;
+import dct.core.degree.colour.OddSites.Window;
 import dct.core.triangulate.Triangulation;
 import java.util.BitSet;
 import java.util.Optional;
 
 /**
- * Finds a triangulation of sites with at most so many unmet wishes, or proves that there is none.
+ * Finds a triangulation of sites with at most so many unmet wishes, or proves that there is none;
+ * or that there is none with so few in a window.
  *
  * <p>Tries sets of unmet sites: first none, and then, each set being refuted, those with one site
  * more. A refutation names the sites that matter to it ({@link
@@ -29,6 +31,8 @@ import java.util.Optional;
 public final class OddSetSearch {
   private static final int MOST_SITES = 600;
   private static final int MOST_TRIANGLES = 150_000;
+  private static final long FIRST_STEPS = 1_000_000; // for one set
+  private static final int MORE_STEPS = 8; // times as many, the next time
 
   /** How the search for at most so many unmet wishes ended. */
   public enum Outcome {
@@ -40,33 +44,36 @@ public final class OddSetSearch {
     OPEN
   }
 
-  private final Triangulation start;
   private final OddSites sites;
+  private final Window window;
   private final int[] first; // sites in the order in which they are added
   private final LearnedSets learned;
   private final BitSet added = new BitSet();
   private final BitSet excluded = new BitSet();
-  private final BitSet all = new BitSet();
-  private final BitSet free = new BitSet(); // sites without a wish
+  private final BitSet all = new BitSet(); // those that can be added
+  private final BitSet free = new BitSet(); // those without a wish
   private final Progress progress;
   private long budget; // of steps
   private long limit; // of steps
   private long steps; // those of this class
+  private long each; // steps for one set
+  private boolean isComplete; // no set was passed over
   private Triangulation found;
 
-  private OddSetSearch(
-      Triangulation start, ParityGoal goal, OddSites sites, int[] first, Progress progress) {
-    this.start = start;
+  private OddSetSearch(OddSites sites, Window window, ParityGoal goal, Progress progress) {
     this.sites = sites;
-    this.first = first;
+    this.window = window;
     this.progress = progress;
     BitSet odd = new BitSet();
-    for (int v = 0; v < goal.size(); v++) {
+    for (int v : window.sites().stream().toArray()) {
       odd.set(v, goal.wish(v) == Wish.ODD);
       free.set(v, goal.wish(v) == Wish.ANY);
     }
-    all.set(0, goal.size());
-    learned = new LearnedSets(goal.size(), odd);
+    free.or(window.gaps());
+    all.or(window.sites());
+    all.or(window.gaps());
+    first = order(goal);
+    learned = new LearnedSets(all, odd);
   }
 
   /**
@@ -76,18 +83,31 @@ public final class OddSetSearch {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Optional<OddSetSearch> of(Triangulation start, ParityGoal goal, Progress progress) {
-    if (start.vertexCount() > MOST_SITES) {
-      return Optional.empty();
-    }
-    return OddSites.of(HullRing.of(start), MOST_TRIANGLES, progress)
-        .map(sites -> new OddSetSearch(start, goal, sites, order(start, goal), progress));
+    BitSet all = new BitSet();
+    all.set(0, start.vertexCount());
+    return start.vertexCount() > MOST_SITES
+        ? Optional.empty()
+        : OddSites.of(HullRing.of(start), all, MOST_TRIANGLES, progress)
+            .map(sites -> within(sites, all, goal, progress));
   }
 
-  private static int[] order(Triangulation start, ParityGoal goal) {
-    int[] order = new int[goal.size()];
+  /**
+   * A search that counts the unmet wishes in a window only, and never finds a triangulation unless
+   * all sites are in it.
+   *
+   * @param within the sites in an open convex region
+   */
+  public static OddSetSearch within(
+      OddSites sites, BitSet within, ParityGoal goal, Progress progress) {
+    return new OddSetSearch(sites, sites.window(within), goal, progress);
+  }
+
+  private int[] order(ParityGoal goal) {
+    Triangulation start = sites.ring().triangulation();
+    int[] order = new int[all.cardinality()];
     int size = 0;
     for (boolean granted : new boolean[] {false, true}) {
-      for (int v = 0; v < order.length; v++) {
+      for (int v : all.stream().toArray()) {
         if (goal.isGranted(start, v) == granted) {
           order[size++] = v;
         }
@@ -99,17 +119,27 @@ public final class OddSetSearch {
   /**
    * Looks for a triangulation with at most so many unmet wishes. What was learned before is used.
    *
+   * <p>Goes through the sets several times, each time with more steps for one of them: where there
+   * are such triangulations those are found first that are easy to find.
+   *
    * @param mostSteps give up after about so many
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public Outcome search(int mostUnmet, long mostSteps) {
     budget = mostSteps;
     limit = steps() + mostSteps;
-    excluded.clear();
-    return extend(mostUnmet);
+    Outcome outcome;
+    each = FIRST_STEPS;
+    do {
+      isComplete = true;
+      excluded.clear();
+      outcome = extend(mostUnmet);
+      each *= MORE_STEPS;
+    } while (outcome == Outcome.REFUTED && !isComplete);
+    return outcome;
   }
 
-  /** After FOUND: the triangulation. */
+  /** After FOUND with all sites: the triangulation. */
   public Triangulation found() {
     return found;
   }
@@ -125,24 +155,29 @@ public final class OddSetSearch {
     return fewest;
   }
 
-  private long steps() {
+  /** All steps so far, those of the sites included. */
+  public long steps() {
     return steps + sites.steps();
   }
 
   /** The present set, and all with so many unmet sites more. */
   private Outcome extend(int more) {
     BitSet vain = new BitSet();
+    boolean isOpen = false; // with so few steps the present set could not be decided
     Outcome outcome = null;
     while (outcome == null) {
       BitSet next = next(more);
-      if (next == null && isEven()) {
-        outcome = decide();
+      boolean isUndecided = next == null && isEven() && !isOpen;
+      if (steps() > limit) {
+        outcome = Outcome.OPEN;
+      } else if (isUndecided) {
+        Outcome decided = decide();
+        isOpen = decided == Outcome.OPEN;
+        outcome = decided == Outcome.FOUND ? decided : null;
       } else {
         int v = first(next == null ? others(all) : next, more);
         if (v < 0) {
           outcome = Outcome.REFUTED;
-        } else if (steps() > limit) {
-          outcome = Outcome.OPEN;
         } else {
           outcome = extendBy(v, more);
           excluded.set(v);
@@ -150,25 +185,27 @@ public final class OddSetSearch {
         }
       }
     }
+    isComplete &= !isOpen;
     excluded.andNot(vain);
     return outcome;
   }
 
   private boolean isEven() {
-    return learned.set().cardinality() % 2 == 0;
+    return !window.isEven() || learned.set().cardinality() % 2 == 0;
   }
 
-  /** Decides the present set; null if it is refuted. */
+  /** Decides the present set, if so few steps are enough. */
   private Outcome decide() {
     progress.report(1 - (double) (limit - steps()) / budget, "Refuting sets of unmet vertices");
-    Answer answer = sites.decide(learned.set(), limit - steps(), progress);
+    long most = Math.min(each, limit - steps());
+    Answer answer = sites.decide(window, learned.set(), most, progress);
     if (answer instanceof Found) {
-      found = TriangleMesh.of(start.points(), sites.corners());
+      found = window.isAll() ? TriangleMesh.of(sites.ring().points(), sites.corners()) : null;
       return Outcome.FOUND;
     }
     if (answer instanceof Refuted refuted) {
       learned.add(refuted.by());
-      return null;
+      return Outcome.REFUTED;
     }
     return Outcome.OPEN;
   }
@@ -185,6 +222,7 @@ public final class OddSetSearch {
 
   private BitSet others(BitSet sitesThere) {
     BitSet others = (BitSet) sitesThere.clone();
+    others.and(all);
     others.andNot(excluded);
     others.andNot(added);
     return others;

@@ -3,16 +3,19 @@ package dct.core.degree.best;
 import static dct.core.Progress.NONE;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dct.core.degree.LocalBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BoundCheck.Verdict;
+import dct.core.degree.bound.SiteBounds;
 import dct.core.degree.bound.SmallSets;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.Triangulation;
 import dct.experiment.generate.RandomSites;
 import dct.testing.FlipGraph;
 import dct.testing.RandomPolygons;
@@ -47,7 +50,7 @@ class BoundCheckTest {
       if (sites.size() > 2 && sites.size() < 11) {
         int least = new FlipGraph(sites.points()).least(goal);
         for (int claimed = 0; claimed < least + 4; claimed++) {
-          BoundCheck check = BoundCheck.of(sites, goal, claimed, NONE);
+          BoundCheck check = BoundCheck.of(sites, goal, claimed, List.of(), NONE);
           assertThat(check.recomputed().value()).isLessThanOrEqualTo(least);
           assertThat(check.verdict())
               .as("%s, seed %d: %d of %d", family, seed, claimed, least)
@@ -78,7 +81,7 @@ class BoundCheckTest {
     Sites sites = Sites.of(RandomSites.uniform(50, 3), NONE);
     ParityGoal goal = ParityGoal.allEven(50);
     int invented = goal.unmet(ScanFlip.run(Delaunay.triangulate(sites, NONE), NONE).after());
-    BoundCheck check = BoundCheck.of(sites, goal, invented, NONE);
+    BoundCheck check = BoundCheck.of(sites, goal, invented, List.of(), NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.FALSE);
     assertThat(check.recomputed().value()).isLessThan(invented);
   }
@@ -97,7 +100,7 @@ class BoundCheckTest {
   void whatIsNeitherProvenNorRefutedIsOpen() {
     double[] pairs = SmallSets.sidesOfTriangle(90);
     Sites sites = Sites.of(Points.ofPairs(pairs), NONE);
-    BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(275), 4, NONE);
+    BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(275), 4, List.of(), NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.OPEN);
     assertThat(check.recomputed().value()).isLessThan(4);
   }
@@ -106,9 +109,22 @@ class BoundCheckTest {
   void whatOnlyARefutationOfSetsProvesIsRecomputed() {
     double[] pairs = SmallSets.sidesOfTriangle(10);
     Sites sites = Sites.of(Points.ofPairs(pairs), NONE);
-    BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(35), 4, NONE);
+    BoundCheck check = BoundCheck.of(sites, ParityGoal.allEven(35), 4, List.of(), NONE);
     assertThat(check.verdict()).isEqualTo(Verdict.RECOMPUTED);
     assertThat(check.recomputed().reason())
         .isEqualTo("refuted: 596 sets of at most 2 odd vertices");
+  }
+
+  @Test
+  void windowsAreCheckedBeforeAnythingElse() {
+    double[] pairs = SmallSets.cross(10, 10);
+    Sites sites = Sites.of(Points.ofPairs(pairs), NONE);
+    ParityGoal goal = ParityGoal.allEven(41);
+    Triangulation best =
+        BestTriangulation.of(sites, goal, SearchLimits.DEFAULT, NONE).triangulation();
+    List<LocalBound> windows = SiteBounds.ofWindows(best, goal, NONE).windows();
+    BoundCheck check = BoundCheck.of(sites, goal, 4, windows, NONE);
+    assertThat(check.verdict()).isEqualTo(Verdict.RECOMPUTED);
+    assertThat(check.recomputed().windows()).isEqualTo(windows);
   }
 }

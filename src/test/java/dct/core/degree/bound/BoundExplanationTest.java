@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.Progress;
 import dct.core.degree.Explanation;
+import dct.core.degree.LowerBound;
 import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
 import dct.core.degree.ParityGoal;
@@ -42,9 +43,13 @@ class BoundExplanationTest {
         .toList();
   }
 
+  private static LowerBound bound(int value) {
+    return new LowerBound(value, "");
+  }
+
   private static Explanation allEven(Triangulation any, int value) {
     ParityGoal goal = ParityGoal.allEven(any.vertexCount());
-    return BoundExplanation.of(any, goal, value, Progress.NONE).orElseThrow();
+    return BoundExplanation.of(any, goal, bound(value), Progress.NONE).orElseThrow();
   }
 
   private static Triangulation polygon(int n) {
@@ -93,7 +98,7 @@ class BoundExplanationTest {
                   SmallSets.randomHullGoal(ring, random),
                   SmallSets.randomGoal(sites.size(), random))) {
             int value = SiteBounds.of(any, goal, Progress.NONE).value();
-            Optional<Explanation> why = BoundExplanation.of(any, goal, value, Progress.NONE);
+            Optional<Explanation> why = BoundExplanation.of(any, goal, bound(value), Progress.NONE);
             assertThat(why).as("%s, seed %d, %s", family, seed, goal).isPresent();
             String kind = check(why.get(), ring, goal, value);
             kinds.merge(kind, 1, Integer::sum);
@@ -284,15 +289,15 @@ class BoundExplanationTest {
       ParityGoal goal =
           seed % 4 == 0 ? ParityGoal.allOdd(n) : SmallSets.randomGoal(n, new Random(seed));
       int value = PolygonBounds.of(n, goal).value();
-      Explanation why = BoundExplanation.of(any, goal, value, Progress.NONE).orElseThrow();
+      Explanation why = BoundExplanation.of(any, goal, bound(value), Progress.NONE).orElseThrow();
       if (why.title().startsWith("The colours")) {
         assertThat(new Handshake(goal).roundUp(faults(why).size())).isEqualTo(value);
       }
-      assertThat(BoundExplanation.of(any, goal, value + 1, Progress.NONE)).isEmpty();
+      assertThat(BoundExplanation.of(any, goal, bound(value + 1), Progress.NONE)).isEmpty();
     }
     Triangulation eight = polygon(8);
     Explanation ears =
-        BoundExplanation.of(eight, ParityGoal.allOdd(8), 2, Progress.NONE).orElseThrow();
+        BoundExplanation.of(eight, ParityGoal.allOdd(8), bound(2), Progress.NONE).orElseThrow();
     assertThat(ears.title()).isEqualTo("Two ears have even tips");
     assertThat(marks(ears, Mark.Area.class)).hasSizeGreaterThanOrEqualTo(2);
     for (Mark.Vertex tip : marks(ears, Mark.Vertex.class)) {

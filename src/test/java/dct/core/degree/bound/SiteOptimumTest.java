@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Test;
 /** Bounds and exact optima of sites against optima that other programs computed. */
 class SiteOptimumTest {
   private static final int MOST_REFUTED = 16; // sites
+  private static final int MOST_IN_WINDOWS = 40; // sites
   private static final List<Row> ROWS = new ArrayList<>();
 
   private record Row(String name, Sites sites, int least, boolean proven) {
@@ -85,6 +86,29 @@ class SiteOptimumTest {
       }
     }
     assertThat(proven).isGreaterThan(100);
+  }
+
+  /** The figures of {@code docs/optimum.md}. */
+  @Test
+  void windowsAloneProveAllButOneOptimum() {
+    List<String> less = new ArrayList<>();
+    int equal = 0;
+    for (Row row : ROWS) {
+      if (row.proven && row.sites.size() <= MOST_IN_WINDOWS && isSpanned(row)) {
+        int value = SiteBounds.ofWindows(row.start(), row.goal(), Progress.NONE).value();
+        assertThat(value).as(row.name).isLessThanOrEqualTo(row.least);
+        equal += value == row.least ? 1 : 0;
+        if (value < row.least) {
+          less.add(row.name);
+        }
+      }
+    }
+    assertThat(less).containsExactly("run12_4");
+    assertThat(equal).isEqualTo(156);
+  }
+
+  private static boolean isSpanned(Row row) {
+    return row.start().triangleCount() > 0;
   }
 
   @Test

@@ -5,15 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dct.core.Deadline;
 import dct.core.Progress;
+import dct.core.degree.LocalBound;
 import dct.core.degree.LowerBound;
 import dct.core.degree.ParityGoal;
-import dct.core.degree.colour.AllTriangles;
+import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.exact.ExactSites;
 import dct.core.geometry.Points;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
 import dct.testing.RandomSets.Family;
+import java.util.BitSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
@@ -26,19 +28,17 @@ import org.junit.jupiter.params.provider.MethodSource;
  * <pre>{@code
  * Triangulation start = Delaunay.triangulate(sites, Progress.NONE);
  * ParityGoal goal = ParityGoal.allEven(start.vertexCount());
- * LowerBound bound = SiteBounds.ofWindows(start, goal, 4, Progress.NONE);
+ * LowerBound bound = SiteBounds.ofWindows(start, goal, Progress.NONE);
  * }</pre>
  */
 class WindowBoundTest {
-  private static final int NO_LIMIT = 1000;
-
   private static List<Family> families() {
     return SmallSets.families();
   }
 
   private static LowerBound bound(Triangulation start) {
     ParityGoal goal = ParityGoal.allEven(start.vertexCount());
-    return SiteBounds.ofWindows(start, goal, NO_LIMIT, Progress.NONE);
+    return SiteBounds.ofWindows(start, goal, Progress.NONE);
   }
 
   @ParameterizedTest
@@ -69,14 +69,48 @@ class WindowBoundTest {
 
   @Test
   void windowsAddUp() {
-    assertThat(bound(cross(10))).isEqualTo(new LowerBound(4, "windows that cannot be all even"));
+    LowerBound bound = bound(cross(10));
+    assertThat(bound.value()).isEqualTo(4);
+    assertThat(bound.reason()).isEqualTo("windows that cannot be all even");
+    assertThat(bound.windows()).extracting(LocalBound::unmet).containsOnly(1).hasSize(3);
   }
 
   @Test
-  void otherWishesHaveNoWindows() {
+  void otherWishesHaveWindowsToo() {
     Triangulation start = cross(3);
-    ParityGoal odd = ParityGoal.allOdd(start.vertexCount());
-    assertThat(SiteBounds.ofWindows(start, odd, NO_LIMIT, Progress.NONE).value()).isLessThan(2);
+    int n = start.vertexCount();
+    ParityGoal[] goals = {ParityGoal.allOdd(n), ParityGoal.allEven(n).with(0, Wish.ANY)};
+    for (ParityGoal goal : goals) {
+      LowerBound bound = SiteBounds.ofWindows(start, goal, Progress.NONE);
+      int least = ExactSites.optimize(start, goal, Progress.NONE).unmet();
+      assertThat(bound.value()).isBetween(1, least);
+      assertThat(bound.reason()).isEqualTo("windows that cannot be granted all wishes");
+    }
+  }
+
+  @Test
+  void claimsAreProvenAgain() {
+    Triangulation start = cross(10);
+    ParityGoal goal = ParityGoal.allEven(start.vertexCount());
+    List<LocalBound> windows = bound(start).windows();
+    assertThat(claimed(start, goal, windows)).isEqualTo(4);
+    assertThat(claimed(start, goal, windows.subList(0, 2))).isEqualTo(2);
+  }
+
+  @Test
+  void claimsThatAreFalseCountForNothing() {
+    Triangulation start = cross(10);
+    ParityGoal goal = ParityGoal.allEven(start.vertexCount());
+    LocalBound window = bound(start).windows().get(0);
+    assertThat(claimed(start, goal, List.of(window, window, window))).isEqualTo(2);
+    BitSet withoutOne = (BitSet) window.sites().clone();
+    withoutOne.clear(withoutOne.stream().skip(4).findFirst().orElseThrow());
+    assertThat(claimed(start, goal, List.of(new LocalBound(withoutOne, 1)))).isZero();
+    assertThat(claimed(start, goal, List.of(new LocalBound(window.sites(), 5)))).isZero();
+  }
+
+  private static int claimed(Triangulation start, ParityGoal goal, List<LocalBound> windows) {
+    return SiteBounds.ofWindows(start, goal, windows, Progress.NONE).value();
   }
 
   @Test
@@ -84,40 +118,7 @@ class WindowBoundTest {
     Triangulation start = cross(10);
     ParityGoal goal = ParityGoal.allEven(start.vertexCount());
     Progress cancelled = new Deadline(Progress.NONE, 0);
-    assertThatThrownBy(() -> SiteBounds.ofWindows(start, goal, NO_LIMIT, cancelled))
+    assertThatThrownBy(() -> SiteBounds.ofWindows(start, goal, cancelled))
         .isInstanceOf(CancellationException.class);
-  }
-
-  /** All empty triangles, each once, against a look at every three sites. */
-  @ParameterizedTest
-  @MethodSource("families")
-  void findsEveryEmptyTriangle(Family family) {
-    for (long seed = 0; seed < 5; seed++) {
-      Points points = family.make(4 + 2 * (int) seed, seed).points();
-      int expected = 0;
-      for (int a = 0; a < points.size(); a++) {
-        for (int b = a + 1; b < points.size(); b++) {
-          for (int c = b + 1; c < points.size(); c++) {
-            expected += isEmpty(points, a, b, c) ? 1 : 0;
-          }
-        }
-      }
-      AllTriangles all = AllTriangles.of(points, NO_LIMIT, Progress.NONE).orElseThrow();
-      assertThat(all.count()).as("%s, seed %d", family, seed).isEqualTo(expected);
-    }
-  }
-
-  private static boolean isEmpty(Points points, int a, int b, int c) {
-    int turn = points.orient(a, b, c);
-    for (int d = 0; d < points.size(); d++) {
-      boolean isInside =
-          points.orient(a, b, d) * turn >= 0
-              && points.orient(b, c, d) * turn >= 0
-              && points.orient(c, a, d) * turn >= 0;
-      if (d != a && d != b && d != c && isInside) {
-        return false;
-      }
-    }
-    return turn != 0;
   }
 }
