@@ -73,8 +73,8 @@ public final class Why {
         String.format(
             Locale.ROOT,
             (unmet == 1 ? "There is %s" : "There are %s")
-                + ". It is proven that every triangulation has %s, and not known whether one"
-                + " has fewer than %d.",
+                + ". It is proven that every triangulation has %s; that does not tell whether"
+                + " one has fewer than %d.",
             count,
             bound == 0 ? "none or more" : bound + " or more",
             unmet),

@@ -113,9 +113,9 @@ class DataExportWindowTest extends WindowTest {
           return null;
         });
     accept(chooser(robot), "mesh.off");
-    JOptionPaneFixture told = dialog();
-    assertThat(message(told)).isEqualTo("Exported " + folder.resolve("mesh.off") + ".");
-    answer(told, "OK");
+    String told = "Exported " + folder.resolve("mesh.off");
+    await("what was written is said", () -> status(result).equals(told));
+    requireNoDialog();
     assertThat(Files.readString(folder.resolve("mesh.off"))).startsWith("OFF\n5 3 ");
   }
 }

@@ -12,7 +12,6 @@ import dct.render.Viewport;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
-import dct.ui.result.HintText;
 import dct.ui.solve.ResultFrame;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
@@ -283,11 +282,6 @@ class FlipsWindowTest extends WindowTest {
   private String hint() {
     return onEventThread(
         () -> robot.finder().findByName(window, "status", JLabel.class, true).getText());
-  }
-
-  private String status(ResultFrame result) {
-    return onEventThread(
-        () -> robot.finder().findByName(result, "status", HintText.class, true).getText());
   }
 
   private String place() {

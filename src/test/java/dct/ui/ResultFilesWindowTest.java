@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.triangulate.Triangulation;
 import dct.problem.Solution;
 import dct.ui.command.CommandRegistry;
-import dct.ui.result.HintText;
 import dct.ui.solve.ResultFrame;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
@@ -37,6 +36,7 @@ class ResultFilesWindowTest extends WindowTest {
     Path file = folder.resolve("mine_polygonbased.json");
     assertThat(status(frame)).isEqualTo("Saved " + file);
     assertThat(window.getTitle()).startsWith("mine_polygonbased.json");
+    assertThat(onEventThread(frame::getTitle)).endsWith(" · mine_polygonbased.json");
     assertThat(file).content().contains("\"edges\"");
 
     typeIn(frame, KeyEvent.VK_S, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
@@ -158,10 +158,5 @@ class ResultFilesWindowTest extends WindowTest {
   private void saveAs(String name) {
     typeName(name);
     settle();
-  }
-
-  private String status(ResultFrame frame) {
-    return onEventThread(
-        () -> robot.finder().findByName(frame, "status", HintText.class, true).getText());
   }
 }

@@ -8,6 +8,7 @@ import dct.render.Ink;
 import dct.render.Theme;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.menu.Look;
+import dct.ui.result.HintText;
 import dct.ui.session.Session;
 import dct.ui.solve.ResultFrame;
 import java.awt.Component;
@@ -274,6 +275,12 @@ abstract class WindowTest {
             Arrays.stream(Frame.getFrames())
                 .filter(f -> f instanceof ResultFrame && f.isShowing())
                 .toList());
+  }
+
+  /** What the status line of a frame of results says. */
+  String status(ResultFrame frame) {
+    return onEventThread(
+        () -> robot.finder().findByName(frame, "status", HintText.class, true).getText());
   }
 
   /** Waits for the one dialog that there is. */

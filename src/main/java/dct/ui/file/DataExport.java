@@ -6,7 +6,6 @@ import dct.io.DataFile;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
 import dct.io.format.Drawing;
-import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
 import dct.ui.dialog.Memory;
 import dct.ui.job.Jobs;
@@ -19,7 +18,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
-import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
@@ -141,11 +139,5 @@ public final class DataExport {
             .filter(words -> !ending.holds(Content.TRIANGULATION));
     String beside = files.size() > 1 ? ", and its vertices in " + files.get(1).getFileName() : "";
     return "Exported " + files.get(0) + beside + left.orElse("");
-  }
-
-  /** Says in a dialog what was written, where there is no status line. */
-  public static Consumer<String> tell(Component parent) {
-    // A dialog waits for its answer; the queue of jobs must not wait with it.
-    return words -> SwingUtilities.invokeLater(() -> Ask.tell(parent, TITLE, words + "."));
   }
 }

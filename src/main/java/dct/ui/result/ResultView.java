@@ -29,7 +29,7 @@ public final class ResultView extends JPanel {
   private final transient List<Runnable> listeners = new ArrayList<>();
   private final transient Links links;
   private transient Runnable whenClosed = () -> {};
-  private final String name; // of what the result is of
+  private String name; // of what the result is of
   private String method;
   private transient Optional<Result> result = Optional.empty();
   private boolean isInFront;
@@ -140,6 +140,14 @@ public final class ResultView extends JPanel {
   /** What it was done to. */
   public String document() {
     return name;
+  }
+
+  /** Says what it was done to: a drawing has another name once it is saved under that. */
+  public void setDocument(String other) {
+    if (!other.equals(name)) {
+      name = other;
+      listeners.forEach(Runnable::run);
+    }
   }
 
   /** What was done to what. */

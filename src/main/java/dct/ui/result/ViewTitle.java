@@ -17,6 +17,7 @@ final class ViewTitle extends JPanel {
 
   private final transient ResultView view;
   private final JLabel title = new JLabel();
+  private final JButton close;
   private final JTabbedPane tabs; // null if it is in none
 
   /** A title that takes the room which it is given. */
@@ -37,7 +38,8 @@ final class ViewTitle extends JPanel {
     setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 4));
     title.setName("title");
     add(title, BorderLayout.CENTER);
-    add(closeButton(view), BorderLayout.EAST);
+    close = closeButton(view);
+    add(close, BorderLayout.EAST);
     write();
     view.addListener(this::write);
   }
@@ -45,6 +47,7 @@ final class ViewTitle extends JPanel {
   /** The title of the view in front is bold. */
   private void write() {
     title.setText(view.method());
+    close.getAccessibleContext().setAccessibleName("Close " + view.title());
     title.putClientProperty("FlatLaf.style", view.isInFront() ? "font: bold" : "font: -bold");
     if (tabs == null) {
       title.setToolTipText(view.title());
@@ -69,7 +72,6 @@ final class ViewTitle extends JPanel {
     JButton close = new JButton("×");
     close.setName("Close View");
     close.setToolTipText("Closes this view (Ctrl+W)");
-    close.getAccessibleContext().setAccessibleName("Close " + view.title());
     close.setMargin(new Insets(0, 4, 0, 4));
     close.putClientProperty("JButton.buttonType", "toolBarButton");
     close.setFocusable(true);

@@ -2,7 +2,6 @@ package dct.ui.solve;
 
 import dct.io.format.Drawing;
 import dct.ui.command.CommandMenu.Plan;
-import dct.ui.dialog.Ask;
 import dct.ui.document.Result;
 import dct.ui.explain.Explainer;
 import dct.ui.file.DataExport;
@@ -29,12 +28,13 @@ public final class ResultCommands {
    * Offers the commands of a view.
    *
    * @param jobs write pictures in the background
+   * @param said is told what was written
    */
-  static void offer(ResultView view, Jobs jobs) {
+  static void offer(ResultView view, Jobs jobs, Consumer<String> said) {
     view.commands()
-        .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs));
+        .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs, said));
     view.commands()
-        .add("Export Data", "", DataExport.description(), () -> exportData(view, jobs))
+        .add("Export Data", "", DataExport.description(), () -> exportData(view, jobs, said))
         .enabledWhen(() -> view.result().isPresent());
     view.commands().add("Close", "ctrl W", "Closes this view", view::close);
     ViewCommands.offer(view.commands(), view.canvas());
@@ -74,27 +74,17 @@ public final class ResultCommands {
         .enabledWhen(() -> view.result().isPresent());
   }
 
-  /** There is no status line to say that it is done. */
-  private static void export(ResultView view, Jobs jobs) {
-    String name = PictureExport.fileName(view.document()) + " " + view.method();
-    PictureExport.ask(
-        view,
-        view.canvas(),
-        name,
-        jobs,
-        done -> SwingUtilities.invokeLater(() -> Ask.tell(view, "Export Picture", done + ".")));
+  private static void export(ResultView view, Jobs jobs, Consumer<String> said) {
+    PictureExport.ask(view, view.canvas(), fileName(view), jobs, said);
   }
 
-  private static void exportData(ResultView view, Jobs jobs) {
+  private static void exportData(ResultView view, Jobs jobs, Consumer<String> said) {
     view.result()
         .map(result -> Drawing.of(result.solution()))
-        .ifPresent(
-            drawing ->
-                DataExport.ask(
-                    view,
-                    drawing,
-                    PictureExport.fileName(view.document()) + " " + view.method(),
-                    jobs,
-                    DataExport.tell(view)));
+        .ifPresent(drawing -> DataExport.ask(view, drawing, fileName(view), jobs, said));
+  }
+
+  private static String fileName(ResultView view) {
+    return PictureExport.fileName(view.document()) + " " + view.method();
   }
 }

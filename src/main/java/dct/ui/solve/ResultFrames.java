@@ -143,6 +143,7 @@ public final class ResultFrames {
         .filter(result -> !views.containsKey(result.view()) && !closed.contains(result.view()))
         .ifPresent(this::open);
     latest = present.map(result -> views.get(result.view()));
+    views.values().forEach(view -> view.setDocument(editor().name()));
     flips.values().forEach(ResultFlips::refresh);
   }
 
@@ -187,9 +188,9 @@ public final class ResultFrames {
   }
 
   private void prepare(ResultView view) {
-    ResultCommands.offer(view, workbench.jobs());
     ResultFlips flipping = new ResultFlips(view, workbench, () -> isOfHistory(view), files::folder);
     flips.put(view, flipping);
+    ResultCommands.offer(view, workbench.jobs(), flipping::say);
     ResultCommands.offerSaving(view, files, flipping::say);
     PictureCopy.offer(view.commands(), view.canvas(), workbench.jobs(), flipping::say);
     more.accept(view.commands());
