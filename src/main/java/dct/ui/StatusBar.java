@@ -5,6 +5,7 @@ import dct.ui.job.Jobs;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -57,15 +58,13 @@ final class StatusBar extends JPanel {
     running.add(stop);
     Box right = Box.createHorizontalBox(); // all on one line with the message
     right.add(running);
-    right.add(Box.createHorizontalStrut(GAP));
     aside.setName("aside");
     aside.getAccessibleContext().setAccessibleDescription("What has no room on the canvas");
-    right.add(aside);
-    right.add(Box.createHorizontalStrut(GAP));
     snap.setName("snap");
-    right.add(snap);
-    right.add(Box.createHorizontalStrut(GAP));
-    right.add(zoom);
+    for (JLabel label : List.of(aside, snap, zoom)) {
+      label.setBorder(BorderFactory.createEmptyBorder(0, GAP, 0, 0)); // none where it is hidden
+      right.add(label);
+    }
     add(message, BorderLayout.CENTER);
     add(right, BorderLayout.EAST);
     // The canvas above keeps its size when the progress comes and goes.

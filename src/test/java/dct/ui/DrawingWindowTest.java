@@ -54,6 +54,14 @@ class DrawingWindowTest extends WindowTest {
   }
 
   @Test
+  void whatTheStatusLineDoesNotShowTakesNoRoomFromTheHint() {
+    begin();
+    JLabel zoom = frame.label("zoom").target();
+    assertThat(onEventThread(() -> zoom.getParent().getWidth()))
+        .isEqualTo(onEventThread(zoom::getWidth));
+  }
+
+  @Test
   void escapeClosesAnOpenMenuAndLeavesTheDrawingAlone() {
     begin();
     click(() -> robot.click(frame.menuItem("Edit").target()));

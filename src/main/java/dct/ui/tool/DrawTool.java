@@ -55,7 +55,7 @@ public final class DrawTool implements Tool {
     }
     return n < 3
         ? "Click to add vertex v" + n + where
-        : "Click to add vertex v" + n + where + "; click v0, double-click or press Enter to end";
+        : "Click to add v" + n + where + "; click v0, double-click or Enter to end";
   }
 
   @Override
