@@ -3,6 +3,7 @@ package dct.render;
 import dct.core.geometry.Box;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 
 /**
  * Writes the labels of a scene beside its vertices, each where {@link LabelPlaces} finds a place
@@ -14,30 +15,11 @@ import java.util.List;
 final class LabelPainter {
   private static final double SIZE = 11;
 
-  private final Scene scene;
-  private final Gauge gauge;
-  private final double dot;
-  private final BitSet ringed; // the vertices with a ring round them
-  private final LabelPlaces places;
-
-  private LabelPainter(Scene scene, Viewport view, Box screen, Gauge gauge, double dot) {
-    this.scene = scene;
-    this.gauge = gauge;
-    this.dot = dot;
-    this.ringed = new BitSet();
-    this.places = new LabelPlaces(scene, view, screen, dot, SIZE);
-    for (int v : scene.unmet()) {
-      ringed.set(v);
-      places.take(v, gauge.ringRadius(dot));
-    }
-    if (!Dots.areCrowded(dot / gauge.dots())) {
-      places.takeEdges();
-    }
-  }
+  private LabelPainter() {}
 
   /** Writes the labels in sight of a screen that can be panned, beside dots of this radius. */
   static void paint(Scene scene, Viewport view, Box screen, double dot, Pen pen) {
-    new LabelPainter(scene, view, screen, Gauge.SCREEN, dot).paint(pen);
+    paint(scene, new LabelPlaces(scene, view, screen, dot), Gauge.SCREEN, dot, pen);
   }
 
   /**
@@ -47,21 +29,38 @@ final class LabelPainter {
    */
   static void paint(
       Scene scene, Viewport view, Box picture, Gauge gauge, double dot, List<Box> taken, Pen pen) {
-    LabelPainter painter = new LabelPainter(scene, view, picture, gauge, dot);
-    painter.places.keepWithin(picture);
-    taken.forEach(painter.places::take);
-    painter.paint(pen);
+    LabelPlaces places = new LabelPlaces(scene, view, picture, dot);
+    places.keepWithin(picture);
+    taken.forEach(places::take);
+    paint(scene, places, gauge, dot, pen);
   }
 
-  private void paint(Pen pen) {
+  private static void paint(Scene scene, LabelPlaces places, Gauge gauge, double dot, Pen pen) {
+    BitSet ringed = new BitSet();
+    for (int v : scene.unmet()) {
+      ringed.set(v);
+      places.take(v, gauge.ringRadius(dot));
+    }
+    if (!Dots.areCrowded(dot / gauge.dots())) {
+      places.takeEdges();
+    }
+    paint(scene, places, v -> ringed.get(v) ? gauge.ringRadius(dot) : dot, pen);
+  }
+
+  /**
+   * Writes labels where there is place left.
+   *
+   * @param radius of the dot or ring at a vertex
+   */
+  static void paint(Scene scene, LabelPlaces places, IntToDoubleFunction radius, Pen pen) {
     pen.part(Part.LABELS);
     pen.style(Stroke.fill(Ink.LABEL));
     for (int v = 0; v < scene.size(); v++) {
-      double radius = ringed.get(v) ? gauge.ringRadius(dot) : dot;
-      if (places.isNear(v) && places.hasRoom(v, radius)) {
+      double around = radius.applyAsDouble(v);
+      if (places.isNear(v) && places.hasRoom(v, around, SIZE)) {
         String text = scene.label(v);
         if (!text.isEmpty()) {
-          places.label(v, text, radius, pen);
+          places.label(v, text, around, SIZE, pen);
         }
       }
     }

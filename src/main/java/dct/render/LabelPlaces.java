@@ -39,7 +39,6 @@ final class LabelPlaces {
   private final Box screen;
   private final Box near;
   private final double dot;
-  private final double size; // of letters
   private final Outwards outwards;
   private final Cells taken; // by vertices and labels
   private final Cells edges;
@@ -49,15 +48,13 @@ final class LabelPlaces {
    * The places of a screen on which there are no labels yet.
    *
    * @param dot the radius of the vertices
-   * @param size of the letters
    */
-  LabelPlaces(Scene scene, Viewport view, Box screen, double dot, double size) {
+  LabelPlaces(Scene scene, Viewport view, Box screen, double dot) {
     this.scene = scene;
     this.view = view;
     this.screen = screen;
     this.near = screen.grown(BEYOND);
     this.dot = dot;
-    this.size = size;
     this.outwards = new Outwards(scene, view);
     this.taken = new Cells(near, view);
     this.edges = new Cells(near, view);
@@ -144,7 +141,7 @@ final class LabelPlaces {
   }
 
   /** Whether the middle of the shortest label would be free anywhere; in a crowd it rarely is. */
-  boolean hasRoom(int v, double radius) {
+  boolean hasRoom(int v, double radius, double size) {
     double x = view.screenX(scene.x(v));
     double y = view.screenY(scene.y(v));
     double r = radius + GAP;
@@ -162,16 +159,17 @@ final class LabelPlaces {
    * Takes the best place for a label; without one it is left out.
    *
    * @param radius of the dot or ring at the vertex
+   * @param size of the letters
    * @param pen what writes it
    */
-  void label(int v, String text, double radius, Pen pen) {
+  void label(int v, String text, double radius, double size, Pen pen) {
     double x = view.screenX(scene.x(v));
     double y = view.screenY(scene.y(v));
     double[] out = outwards.of(v);
     Place best = null;
     double least = Double.POSITIVE_INFINITY;
     for (double[] direction : DIRECTIONS) {
-      Place place = place(x, y, radius, direction, size * ADVANCE * text.length());
+      Place place = place(x, y, radius, direction, size, text.length());
       double cost = place.isFree() ? cost(place, direction, out) : Double.POSITIVE_INFINITY;
       if (cost < least) {
         least = cost;
@@ -195,15 +193,19 @@ final class LabelPlaces {
     return cells + (scene.isPolygon() ? INSIDE : AWAY) * turned;
   }
 
-  /** The place of a label of this half width, in a direction from its dot or ring. */
-  private Place place(double x, double y, double radius, double[] direction, double halfWidth) {
+  /** The place of a label of so many letters, in a direction from its dot or ring. */
+  private Place place(
+      double x, double y, double radius, double[] direction, double size, int letters) {
     double r = radius + GAP;
     double dx = direction[0];
     double dy = direction[1];
+    double halfWidth = size * ADVANCE * letters;
+    double halfHeight = size * HALF_HEIGHT;
     return new Place(
         x + r * dx + halfWidth * Math.signum(dx),
-        y + r * dy + size * HALF_HEIGHT * Math.signum(dy),
-        halfWidth);
+        y + r * dy + halfHeight * Math.signum(dy),
+        halfWidth,
+        halfHeight);
   }
 
   /** A place of a label, by its middle. */
@@ -211,11 +213,13 @@ final class LabelPlaces {
     private final double x;
     private final double y;
     private final double halfWidth;
+    private final double halfHeight;
 
-    Place(double x, double y, double halfWidth) {
+    Place(double x, double y, double halfWidth, double halfHeight) {
       this.x = x;
       this.y = y;
       this.halfWidth = halfWidth;
+      this.halfHeight = halfHeight;
     }
 
     boolean isFree() {
@@ -235,7 +239,7 @@ final class LabelPlaces {
     }
 
     double cells() {
-      return 4 * halfWidth * size * HALF_HEIGHT / (Cells.SIDE * Cells.SIDE);
+      return 4 * halfWidth * halfHeight / (Cells.SIDE * Cells.SIDE);
     }
 
     private double left() {
@@ -247,11 +251,11 @@ final class LabelPlaces {
     }
 
     private double upper() {
-      return y - size * HALF_HEIGHT;
+      return y - halfHeight;
     }
 
     private double lower() {
-      return y + size * HALF_HEIGHT;
+      return y + halfHeight;
     }
   }
 }

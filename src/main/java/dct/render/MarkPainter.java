@@ -4,6 +4,7 @@ import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
 import dct.core.geometry.Box;
 import dct.render.Pen.Anchor;
+import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -35,7 +36,8 @@ public final class MarkPainter {
   }
 
   /**
-   * Draws marks, each over those before it.
+   * Draws marks, each over those before it, and writes the labels of vertices in sight: those of
+   * the marks first, and those of the scene where there is room left.
    *
    * @param scene what they are drawn over; it has the vertices that they name
    * @param screen the part of the screen to draw on, in pixels
@@ -45,14 +47,8 @@ public final class MarkPainter {
     for (Mark mark : marks) {
       painter.paint(mark);
     }
-    List<Mark.Vertex> labelled =
-        marks.stream()
-            .filter(Mark.Vertex.class::isInstance)
-            .map(Mark.Vertex.class::cast)
-            .filter(mark -> !mark.label().isEmpty())
-            .toList();
-    if (!labelled.isEmpty() && !painter.isCrowded()) {
-      painter.labels(labelled, screen);
+    if (!marks.isEmpty() && scene.isAtHand()) {
+      painter.labels(marks, screen);
     }
   }
 
@@ -107,16 +103,34 @@ public final class MarkPainter {
     return isCrowded() ? dot + 1.5 : dot + RING_GAP;
   }
 
-  /** Writes the labels of vertices, each where there is room for it beside its ring. */
-  private void labels(List<Mark.Vertex> labelled, Box inSight) {
-    LabelPlaces places = new LabelPlaces(scene, view, inSight, dot, SIZE);
-    labelled.forEach(mark -> places.take(mark.vertex(), ringRadius()));
-    places.takeEdges();
-    for (Mark.Vertex mark : labelled) {
-      if (places.isNear(mark.vertex())) {
-        pen.style(Stroke.fill(ink(mark.tone())));
-        places.label(mark.vertex(), mark.label(), ringRadius(), pen);
+  /** Writes the labels of the marked vertices, and then those of the scene. */
+  private void labels(List<Mark> marks, Box inSight) {
+    BitSet ringed = new BitSet();
+    LabelPlaces places = new LabelPlaces(scene, view, inSight, dot);
+    for (int v : scene.unmet()) {
+      ringed.set(v);
+    }
+    for (Mark mark : marks) {
+      if (mark instanceof Mark.Vertex vertex) {
+        ringed.set(vertex.vertex());
       }
+    }
+    ringed.stream().forEach(v -> places.take(v, ringRadius()));
+    if (!isCrowded()) {
+      places.takeEdges();
+      marks.forEach(mark -> label(mark, places));
+    }
+    if (scene.hasLabels()) {
+      LabelPainter.paint(scene, places, v -> ringed.get(v) ? ringRadius() : dot, pen);
+    }
+  }
+
+  private void label(Mark mark, LabelPlaces places) {
+    if (mark instanceof Mark.Vertex vertex
+        && !vertex.label().isEmpty()
+        && places.isNear(vertex.vertex())) {
+      pen.style(Stroke.fill(ink(vertex.tone())));
+      places.label(vertex.vertex(), vertex.label(), ringRadius(), SIZE, pen);
     }
   }
 

@@ -252,6 +252,11 @@ public final class Scene {
     return others.around(moved.x(), moved.y());
   }
 
+  /** This scene with nothing written beside the vertices: others write there. */
+  public Scene withoutLabels() {
+    return new Scene(this, counts, unmet, Labels.NONE, null);
+  }
+
   /** This scene with other labels. */
   public Scene withLabels(Labels wished) {
     return new Scene(this, counts, unmet, wished, wishes);

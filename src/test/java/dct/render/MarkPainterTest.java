@@ -92,6 +92,16 @@ class MarkPainterTest {
   }
 
   @ParameterizedTest
+  @ValueSource(ints = {12, 60})
+  void theNumbersOfTheVerticesKeepClearOfThoseOfTheMarks(int n) {
+    Scene scene = circle(n).withLabels(new Labels(true, false));
+    List<Mark> few = all(scene).subList(0, n / 2);
+    List<Shape> labels = painted(scene, few).stream().filter(s -> s.kind().equals("text")).toList();
+    assertThat(labels).anyMatch(s -> s.text().startsWith("v")).anyMatch(s -> s.text().equals("1"));
+    requireReadable(scene, labels);
+  }
+
+  @ParameterizedTest
   @ValueSource(ints = {12, 60, 150})
   void everyVertexHasItsRing(int n) {
     Scene scene = circle(n);

@@ -41,6 +41,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   private final transient List<Runnable> viewListeners = new ArrayList<>();
   private transient Scene given = Scene.sites(Points.ofPairs());
   private transient Scene scene = given; // with the labels
+  private transient Scene picture = given; // without those that are written with the marks
   private transient Viewport viewport = Viewport.IDENTITY;
   private final transient List<Consumer<Pen>> overlays = new ArrayList<>();
   private Labels labels = Labels.NONE;
@@ -85,10 +86,15 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   public void setScene(Scene scene) {
     if (scene != given) { // an equal one need not be drawn anew
       given = scene;
-      this.scene = scene.withLabels(labels).withRemark(remark);
+      take();
       access().changed();
     }
     repaint();
+  }
+
+  private void take() {
+    scene = given.withLabels(labels).withRemark(remark);
+    picture = marks.isEmpty() ? scene : scene.withoutLabels();
   }
 
   /** What is shown. */
@@ -99,7 +105,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** Chooses what is written beside the vertices. */
   public void setLabels(Labels labels) {
     this.labels = labels;
-    scene = given.withLabels(labels).withRemark(remark);
+    take();
     repaint();
   }
 
@@ -107,7 +113,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   public void setRemark(String words) {
     if (!words.equals(remark)) {
       remark = words;
-      scene = given.withLabels(labels).withRemark(remark);
+      take();
       access().changed();
       repaint();
     }
@@ -143,6 +149,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   /** Marks that are drawn over the scene, below what a tool draws, until others are given. */
   public void setMarks(List<Mark> marks) {
     this.marks = List.copyOf(marks);
+    take();
     repaint();
   }
 
@@ -297,7 +304,7 @@ public final class CanvasPanel extends JPanel implements Navigation.Target {
   @Override
   protected void paintComponent(Graphics g) {
     Graphics2D graphics = (Graphics2D) g.create();
-    View view = new View(scene, viewport, theme(), getSize(), scaleOf(graphics));
+    View view = new View(picture, viewport, theme(), getSize(), scaleOf(graphics));
     Box screen = new Box(0, 0, getWidth(), getHeight());
     image.paint(graphics, view);
     if (!view.equals(noted) && scene.isAtHand()) {
