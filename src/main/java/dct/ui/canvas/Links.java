@@ -226,6 +226,11 @@ public final class Links {
     }
 
     @Override
+    public void mousePressed(MouseEvent e) {
+      hovered(this, Optional.empty()); // a click may flip the edge
+    }
+
+    @Override
     public void mouseExited(MouseEvent e) {
       hovered(this, Optional.empty());
     }

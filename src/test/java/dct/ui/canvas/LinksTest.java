@@ -122,9 +122,19 @@ class LinksTest {
     assertThat(isMarked(second, 488, 300)).isFalse();
   }
 
+  @Test
+  void aClickTakesTheMarkAwayForWhatIsClickedMayBeGone() {
+    point(first, 480, 300);
+    send(first, MouseEvent.MOUSE_PRESSED, 480, 300, MouseEvent.BUTTON1);
+    assertThat(isMarked(second, 488, 300)).isFalse();
+  }
+
   private static void point(CanvasPanel canvas, int x, int y) {
-    canvas.dispatchEvent(
-        new MouseEvent(canvas, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false, MouseEvent.NOBUTTON));
+    send(canvas, MouseEvent.MOUSE_MOVED, x, y, MouseEvent.NOBUTTON);
+  }
+
+  private static void send(CanvasPanel canvas, int what, int x, int y, int button) {
+    canvas.dispatchEvent(new MouseEvent(canvas, what, 0, 0, x, y, 0, false, button));
   }
 
   private static boolean isMarked(CanvasPanel canvas, int x, int y) {
