@@ -17,7 +17,8 @@ import java.util.stream.Stream;
  * Links canvases that show the same points: where the user moves one, the others show the same part
  * of the model, and what is under the mouse in one is ringed in the others. Canvases of one size
  * show exactly the same, others as much more or less as the whole is larger or smaller when it is
- * fitted into them. Lives on the event thread; a move costs constant time for each canvas.
+ * fitted into them; but where all of the drawing is in sight, so it is in them. Lives on the event
+ * thread; a move costs constant time for each canvas.
  */
 public final class Links {
   private final List<Member> members = new ArrayList<>();
@@ -116,15 +117,10 @@ public final class Links {
     }
     member.chosen = true;
     if (on) {
-      quietly(
-          () ->
-              others(member)
-                  .filter(Member::hasRoom) // else it settles once it has
-                  .forEach(
-                      other -> {
-                        other.follow(member);
-                        other.chosen = true;
-                      }));
+      boolean isPart = !member.drawing || !member.canvas.isAllInSight();
+      List<Member> linked = others(member).filter(Member::hasRoom).toList(); // others settle later
+      linked.forEach(other -> other.chosen = isPart);
+      quietly(() -> linked.forEach(isPart ? other -> other.follow(member) : this::settle));
     }
   }
 
@@ -191,6 +187,9 @@ public final class Links {
       Viewport view = other.canvas.viewport();
       boolean sameSize = canvas.getSize().equals(other.canvas.getSize());
       canvas.setViewport(sameSize ? view : sized(other, view));
+      if (other.canvas.isAllInSight() && !canvas.isAllInSight()) {
+        canvas.setViewport(fitted(canvas.scene(), view.yUp()));
+      }
     }
 
     private Viewport sized(Member other, Viewport view) {

@@ -114,6 +114,32 @@ class LinksTest {
   }
 
   @Test
+  void whereAllOfTheDrawingIsInSightSoItIsInTheViews() {
+    CanvasPanel open = canvas(1000, 700, 40, 40, 640, 80, 60, 600, 300, 200);
+    CanvasPanel view = canvas(600, 480, 40, 40, 640, 80, 60, 600, 300, 200);
+    Links others = new Links();
+    others.addDrawing(open);
+    others.add(view);
+    open.showWell();
+    assertThat(open.viewport().scale()).isEqualTo(1);
+    assertThat(view.isAllInSight()).isTrue();
+    view.setSize(500, 300);
+    others.resized(view);
+    assertThat(view.isAllInSight()).isTrue();
+  }
+
+  @Test
+  void aViewThatIsAllInSightIsSoInASmallerOne() {
+    first.fit();
+    first.pan(0, -50);
+    CanvasPanel small = canvas(600, 300, SITES);
+    links.add(small);
+    links.resized(small);
+    assertThat(first.isAllInSight()).isTrue();
+    assertThat(small.isAllInSight()).isTrue();
+  }
+
+  @Test
   void whatIsUnderTheMouseIsMarkedInTheOthersOnly() {
     point(first, 480, 300);
     assertThat(isMarked(second, 488, 300)).isTrue();
