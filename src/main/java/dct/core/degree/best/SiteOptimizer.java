@@ -9,7 +9,6 @@ import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.SiteBounds;
 import dct.core.degree.exact.ExactSites;
-import dct.core.degree.exact.OddSetProof;
 import dct.core.triangulate.Triangulation;
 import java.util.Comparator;
 import java.util.List;
@@ -31,9 +30,8 @@ import java.util.function.Supplier;
  *   <li>An exact method, if one applies: the table of the polygon that the sites are the corners of
  *       ({@link HullPolygon}), or {@link ExactSites}.
  *   <li>The bounds that take longer ({@link SiteBounds}), and against them the beam search over
- *       strips; after a few strips {@link OddSetProof} and the bound by windows. Of a lattice,
- *       other walks come before the strips: where its rows do not fill the hull one walk in dozens
- *       succeeds.
+ *       strips; after a few strips {@link ProvingSearch}. Of a lattice, other walks come before the
+ *       strips: where its rows do not fill the hull one walk in dozens succeeds.
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
@@ -44,9 +42,6 @@ public final class SiteOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 30; // the same for one of many searches
   private static final double LITTLE_EFFORT = 0.02; // for strips, before the slowest bound
-  private static final double SHORT_EFFORT = 0.1; // of the first of many searches
-  private static final int MANY = 2000; // sites
-  private static final int SEEDS_APART = 1 << 16; // of searches one after the other
   private static final int FEW = 4; // triangulations of a lattice from which searches begin anew
   private static final int ANEW = 1 << 16; // sites of all those searches together
 
@@ -148,49 +143,11 @@ public final class SiteOptimizer {
 
   private void solveStrips() {
     search.solveStrips(bound.value(), LITTLE_EFFORT * limits.effort());
-    refuteSets();
     if (isOpen()) {
-      bound = bound.max(SiteBounds.ofWindows(search.triangulation(), goal, clock));
-      if (limits.seconds() < Double.POSITIVE_INFINITY) {
-        searchAnew();
-      } else {
-        search.solveStrips(bound.value(), limits.effort());
-      }
-    }
-  }
-
-  /**
-   * Until the limit of time strikes, searches with other random choices: the time that one needs
-   * varies widely. Most are short, and some are longer, after M. Luby, A. Sinclair and D.
-   * Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993).
-   */
-  private void searchAnew() {
-    double first = start.vertexCount() > MANY ? 1 : SHORT_EFFORT; // to begin anew would cost more
-    search.solveStrips(bound.value(), first * limits.effort());
-    for (int k = 1; isOpen() && !clock.isCancelled(); k++) {
-      SiteSearch other = searchFrom(start, SEEDS_APART * k);
-      other.alignRectangles();
-      other.pairUp(bound.value(), PATIENCE);
-      other.solveStrips(bound.value(), SHORT_EFFORT * luby(k) * limits.effort());
-      search = other.unmet() < search.unmet() ? other : search;
-    }
-  }
-
-  /** 1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8, … */
-  private static int luby(int k) {
-    int whole = Integer.highestOneBit(k + 1); // a run ends at each power of 2 less 1
-    return whole == k + 1 ? whole / 2 : luby(k + 1 - whole);
-  }
-
-  private void refuteSets() {
-    if (isOpen()) {
-      Optimum known =
-          new Optimum(search.triangulation(), goal, search.unmet(), bound, clock.hasStruck());
-      Optimum better = OddSetProof.improve(known, limits.effort(), clock);
-      bound = better.bound();
-      if (better.unmet() < search.unmet()) {
-        search = searchFrom(better.triangulation(), 0);
-      }
+      ProvingSearch last = new ProvingSearch(start, goal, limits, clock, search, bound);
+      last.run();
+      search = last.search();
+      bound = last.bound();
       clock.checkCancelled();
     }
   }

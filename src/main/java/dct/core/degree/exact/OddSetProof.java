@@ -14,38 +14,60 @@ import java.util.concurrent.CancellationException;
 
 /**
  * Raises a bound by refuting all sets of so many unmet sites, up to the number that is known to be
- * possible; or finds a triangulation with fewer.
+ * possible; or finds a triangulation with fewer. Goes on for as many steps as it is given.
  */
 public final class OddSetProof {
-  private static final long STEPS = 30_000_000; // some seconds
+  /** The steps of an ordinary search, and of a check of what it has proven: some seconds. */
+  public static final long STEPS = 30_000_000;
 
+  private final OddSetSearch sets;
   private final ParityGoal goal;
-  private Optimum known;
 
-  private OddSetProof(Optimum known) {
-    this.known = known;
-    goal = known.goal();
+  private OddSetProof(OddSetSearch sets, ParityGoal goal) {
+    this.sets = sets;
+    this.goal = goal;
   }
 
   /**
-   * What is known, improved as far as some seconds suffice; the same if the sites are too many.
+   * Gets ready; empty if there are too many sites or triangles.
    *
-   * @param known a triangulation of sites with a triangle, and a bound that is rounded up to a
-   *     number of unmet wishes that the handshake lemma allows
-   * @param effort above 1, how many times as long; less is not given, so that a check proves what
-   *     an ordinary search has proven
-   * @param progress if it asks to stop, what was proven until then is returned
+   * @param best a triangulation of the sites with a triangle; its unmet sites are tried first
+   * @param progress if it asks to stop, what was proven until then remains
+   * @throws CancellationException if cancelled
    */
-  public static Optimum improve(Optimum known, double effort, Progress progress) {
-    OddSetProof proof = new OddSetProof(known);
+  public static Optional<OddSetProof> begin(
+      Triangulation best, ParityGoal goal, Progress progress) {
+    return OddSetSearch.of(best, goal, progress).map(sets -> new OddSetProof(sets, goal));
+  }
+
+  /**
+   * What is known, improved as far as so many steps suffice. Asked again, goes on.
+   *
+   * @param known a triangulation and a bound that is rounded up to a number of unmet wishes that
+   *     the handshake lemma allows
+   */
+  public Optimum improve(Optimum known, long mostSteps) {
+    Optimum best = known;
+    long limit = sets.steps() + mostSteps;
+    boolean goesOn = true;
     try {
-      Optional<OddSetSearch> search =
-          OddSetSearch.of(known.triangulation(), known.goal(), progress);
-      search.ifPresent(sets -> proof.run(sets, (long) (STEPS * Math.max(1, effort))));
+      while (goesOn && !best.isProven() && sets.steps() < limit) {
+        int unmet = best.bound().value();
+        switch (sets.search(unmet, limit - sets.steps())) {
+          case FOUND -> best = Optimum.of(sets.found(), goal, best.bound());
+          case REFUTED -> best = withBound(best, unmet);
+          case OPEN -> goesOn = false;
+        }
+      }
     } catch (CancellationException e) {
-      return proof.known;
+      return best;
     }
-    return proof.known;
+    return best;
+  }
+
+  private Optimum withBound(Optimum known, int refuted) {
+    LowerBound bound = new LowerBound(refuted + stride(goal), "refuted: " + refuted(goal, refuted));
+    return new Optimum(known.triangulation(), goal, known.unmet(), bound, false);
   }
 
   /**
@@ -70,24 +92,6 @@ public final class OddSetProof {
     return OddSetSearch.of(any, goal, progress)
         .filter(sets -> most >= 0 && sets.search(most, STEPS) == Outcome.REFUTED)
         .map(sets -> new Proof(refuted(goal, most), sets.fewestSites()));
-  }
-
-  private void run(OddSetSearch sets, long mostSteps) {
-    boolean goesOn = true;
-    while (goesOn && !known.isProven()) {
-      int unmet = known.bound().value();
-      switch (sets.search(unmet, mostSteps)) {
-        case FOUND -> known = Optimum.of(sets.found(), goal, known.bound());
-        case REFUTED ->
-            known =
-                withBound(new LowerBound(unmet + stride(goal), "refuted: " + refuted(goal, unmet)));
-        case OPEN -> goesOn = false;
-      }
-    }
-  }
-
-  private Optimum withBound(LowerBound bound) {
-    return new Optimum(known.triangulation(), goal, known.unmet(), bound, false);
   }
 
   /** The numbers of unmet wishes differ by this: that of odd vertices is even. */

@@ -11,7 +11,9 @@ import dct.core.degree.colour.OddSites.Answer.Refuted;
 import dct.core.degree.colour.OddSites.Window;
 import dct.core.triangulate.Triangulation;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Finds a triangulation of sites with at most so many unmet wishes, or proves that there is none;
@@ -57,7 +59,8 @@ public final class OddSetSearch {
   private long limit; // of steps
   private long steps; // those of this class
   private long each; // steps for one set
-  private boolean isComplete; // no set was passed over
+  private int sought = -1; // most unmet wishes of the last search
+  private final Set<BitSet> passedOver = new HashSet<>(); // they take more steps than that
   private Triangulation found;
 
   private OddSetSearch(OddSites sites, Window window, ParityGoal goal, Progress progress) {
@@ -117,7 +120,8 @@ public final class OddSetSearch {
   }
 
   /**
-   * Looks for a triangulation with at most so many unmet wishes. What was learned before is used.
+   * Looks for a triangulation with at most so many unmet wishes. What was learned before is used,
+   * and a search for the same number goes on where it stopped.
    *
    * <p>Goes through the sets several times, each time with more steps for one of them: where there
    * are such triangulations those are found first that are easy to find.
@@ -128,14 +132,18 @@ public final class OddSetSearch {
   public Outcome search(int mostUnmet, long mostSteps) {
     budget = mostSteps;
     limit = steps() + mostSteps;
-    Outcome outcome;
-    each = FIRST_STEPS;
-    do {
-      isComplete = true;
-      excluded.clear();
-      outcome = extend(mostUnmet);
+    if (mostUnmet != sought) {
+      sought = mostUnmet;
+      each = FIRST_STEPS;
+      passedOver.clear();
+    }
+    excluded.clear();
+    Outcome outcome = extend(mostUnmet);
+    while (outcome == Outcome.REFUTED && !passedOver.isEmpty()) {
       each *= MORE_STEPS;
-    } while (outcome == Outcome.REFUTED && !isComplete);
+      passedOver.clear();
+      outcome = extend(mostUnmet);
+    }
     return outcome;
   }
 
@@ -163,17 +171,13 @@ public final class OddSetSearch {
   /** The present set, and all with so many unmet sites more. */
   private Outcome extend(int more) {
     BitSet vain = new BitSet();
-    boolean isOpen = false; // with so few steps the present set could not be decided
     Outcome outcome = null;
     while (outcome == null) {
       BitSet next = next(more);
-      boolean isUndecided = next == null && isEven() && !isOpen;
       if (steps() > limit) {
         outcome = Outcome.OPEN;
-      } else if (isUndecided) {
-        Outcome decided = decide();
-        isOpen = decided == Outcome.OPEN;
-        outcome = decided == Outcome.FOUND ? decided : null;
+      } else if (next == null && isEven() && !passedOver.contains(learned.set())) {
+        outcome = decide();
       } else {
         int v = first(next == null ? others(all) : next, more);
         if (v < 0) {
@@ -185,7 +189,6 @@ public final class OddSetSearch {
         }
       }
     }
-    isComplete &= !isOpen;
     excluded.andNot(vain);
     return outcome;
   }
@@ -194,7 +197,7 @@ public final class OddSetSearch {
     return !window.isEven() || learned.set().cardinality() % 2 == 0;
   }
 
-  /** Decides the present set, if so few steps are enough. */
+  /** Decides the present set; null if it is refuted, or takes too many steps for this time. */
   private Outcome decide() {
     progress.report(1 - (double) (limit - steps()) / budget, "Refuting sets of unmet vertices");
     long most = Math.min(each, limit - steps());
@@ -205,9 +208,10 @@ public final class OddSetSearch {
     }
     if (answer instanceof Refuted refuted) {
       learned.add(refuted.by());
-      return Outcome.REFUTED;
+    } else if (most == each) {
+      passedOver.add((BitSet) learned.set().clone());
     }
-    return Outcome.OPEN;
+    return null;
   }
 
   /** Null if all sets with this site are refuted. */

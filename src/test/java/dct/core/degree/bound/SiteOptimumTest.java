@@ -78,7 +78,10 @@ class SiteOptimumTest {
     for (Row row : ROWS) {
       if (row.proven && row.sites.size() <= MOST_REFUTED) {
         Optimum known = Optimum.of(row.start(), row.goal(), new LowerBound(0, "handshake lemma"));
-        Optimum better = OddSetProof.improve(known, 1, Progress.NONE);
+        Optimum better =
+            OddSetProof.begin(row.start(), row.goal(), Progress.NONE)
+                .orElseThrow()
+                .improve(known, OddSetProof.STEPS);
         TriangulationAssert.assertThat(better.triangulation()).isTriangulationOf(row.sites);
         assertThat(better.unmet()).as(row.name).isEqualTo(row.least);
         assertThat(better.isProven()).as(row.name).isTrue();

@@ -1,6 +1,7 @@
 package dct.core.degree.exact;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dct.core.Progress;
 import dct.core.degree.LowerBound;
@@ -16,6 +17,7 @@ import dct.testing.CancelledAfter;
 import dct.testing.TriangulationAssert;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -23,7 +25,8 @@ import org.junit.jupiter.api.Test;
  *
  * <pre>{@code
  * Optimum known = Optimum.of(triangulation, goal, new LowerBound(0, "handshake lemma"));
- * Optimum better = OddSetProof.improve(known, 1, Progress.NONE);
+ * OddSetProof proof = OddSetProof.begin(triangulation, goal, Progress.NONE).orElseThrow();
+ * Optimum better = proof.improve(known, OddSetProof.STEPS);
  * }</pre>
  */
 class OddSetProofTest {
@@ -38,7 +41,14 @@ class OddSetProofTest {
   }
 
   private static Optimum improve(Triangulation start, ParityGoal goal) {
-    return OddSetProof.improve(Optimum.of(start, goal, NOTHING), 1, Progress.NONE);
+    return improve(start, goal, Progress.NONE);
+  }
+
+  private static Optimum improve(Triangulation start, ParityGoal goal, Progress progress) {
+    Optimum known = Optimum.of(start, goal, NOTHING);
+    return OddSetProof.begin(start, goal, progress)
+        .map(proof -> proof.improve(known, OddSetProof.STEPS))
+        .orElse(known);
   }
 
   @Test
@@ -89,19 +99,36 @@ class OddSetProofTest {
   @Test
   void whatIsProvenBeforeACancelIsKept() {
     Triangulation start = cross(10);
-    Optimum known = Optimum.of(start, ParityGoal.allEven(41), NOTHING);
-    assertThat(OddSetProof.improve(known, 1, new CancelledAfter(0))).isEqualTo(known);
+    ParityGoal goal = ParityGoal.allEven(41);
+    assertThatThrownBy(() -> improve(start, goal, new CancelledAfter(0)))
+        .isInstanceOf(CancellationException.class);
     int[] proven =
         Arrays.stream(new int[] {100, 400, 4000})
-            .map(asked -> OddSetProof.improve(known, 1, new CancelledAfter(asked)).bound().value())
+            .map(asked -> improve(start, goal, new CancelledAfter(asked)).bound().value())
             .toArray();
     assertThat(proven).isSorted().contains(2);
   }
 
   @Test
+  void goesOnWhereItStopped() {
+    Triangulation start = cross(10);
+    ParityGoal goal = ParityGoal.allEven(41);
+    OddSetProof proof = OddSetProof.begin(start, goal, Progress.NONE).orElseThrow();
+    Optimum known = Optimum.of(start, goal, NOTHING);
+    int parts = 0;
+    while (!known.isProven() && parts < 100) {
+      known = proof.improve(known, 100_000);
+      parts++;
+    }
+    assertThat(known.bound())
+        .isEqualTo(new LowerBound(4, "refuted: 821 sets of at most 2 odd vertices"));
+    assertThat(known.unmet()).isEqualTo(4);
+    assertThat(parts).isGreaterThan(1);
+  }
+
+  @Test
   void tooManySitesAreLeftAsTheyAre() {
     Triangulation start = triangulation(new Random(1).doubles(1400).toArray());
-    Optimum known = Optimum.of(start, ParityGoal.allEven(700), NOTHING);
-    assertThat(OddSetProof.improve(known, 1, Progress.NONE)).isEqualTo(known);
+    assertThat(OddSetProof.begin(start, ParityGoal.allEven(700), Progress.NONE)).isEmpty();
   }
 }
