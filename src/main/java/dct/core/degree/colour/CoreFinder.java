@@ -9,6 +9,8 @@ final class CoreFinder {
   private final int[] level; // by unknown that was decided
   private final boolean[] isSeen; // by unknown
   private final int[] seen;
+  private final int[] rowSeen; // by row: in which search for a core it was seen as a reason
+  private int searches;
   private int seenCount;
   private BitSet levels;
   private BitSet sides;
@@ -20,6 +22,7 @@ final class CoreFinder {
     level = new int[unknowns];
     isSeen = new boolean[unknowns];
     seen = new int[unknowns];
+    rowSeen = new int[2 * triangles.edges()];
   }
 
   /** Notes the level at which an unknown is decided. */
@@ -32,6 +35,7 @@ final class CoreFinder {
     levels = new BitSet();
     sides = new BitSet();
     seenCount = 0;
+    searches++;
     int row = colouring.faultRow();
     if (row == SignedSides.NONE) {
       see(colouring.fault());
@@ -73,8 +77,11 @@ final class CoreFinder {
     for (int side = x / 2 * 3; side < x / 2 * 3 + 3; side++) {
       if (triangles.edge(side) == row >> 1) {
         sides.set(side);
-        boolean isLow = triangles.isForward(side) == (colouring.value(x) == 0);
-        seeRow(row, isLow, colouring.place(x));
+        if (rowSeen[row] != searches) { // all that a row settled rests on the same
+          rowSeen[row] = searches;
+          boolean isLow = triangles.isForward(side) == (colouring.value(x) == 0);
+          seeRow(row, isLow, colouring.place(x));
+        }
       }
     }
   }
