@@ -1,5 +1,6 @@
 package dct.core.degree.best;
 
+import dct.core.Deadline;
 import dct.core.Progress;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
@@ -95,6 +96,8 @@ public final class BestTriangulation {
       SearchLimits limits,
       Preference preference,
       Progress progress) {
-    return Preferred.of(of(start, goal, limits, progress), preference, false);
+    Deadline clock = new Deadline(progress, limits.seconds());
+    Optimum best = of(start, goal, limits, progress);
+    return PreferredRegions.improve(best, preference, limits, clock);
   }
 }

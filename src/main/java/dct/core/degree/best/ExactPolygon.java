@@ -10,7 +10,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
 import dct.core.degree.region.ChordTable;
 import dct.core.degree.region.ParityTable;
-import dct.core.degree.region.PreferredTable;
+import dct.core.degree.region.PreferredPolygonTable;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
@@ -20,8 +20,8 @@ import java.util.Arrays;
 
 /**
  * The best triangulations of a simple polygon by the tables over all pairs of vertices that see
- * each other, or over some of them: {@link ParityTable}, and {@link PreferredTable} where among
- * equally good ones the most preferred is asked for.
+ * each other, or over some of them: {@link ParityTable}, and {@link PreferredPolygonTable} where
+ * among equally good ones the most preferred is asked for.
  */
 final class ExactPolygon {
   /** The pairs of a table of two costs: twice the memory a pair. */
@@ -58,9 +58,7 @@ final class ExactPolygon {
 
   /** The most preferred of them. */
   Triangulation best(VisibilityGraph graph, Preference preference, Progress progress) {
-    return cut(
-        PreferredTable.fill(
-            graph, wishes(), preference, polygon.points(), polygon.walk(), progress));
+    return cut(PreferredPolygonTable.fill(polygon, wishes(), graph, preference, progress));
   }
 
   private ParityGoal.Wish[] wishes() {

@@ -119,7 +119,9 @@ public final class PolygonOptimizer {
     PolygonOptimizer optimizer =
         new PolygonOptimizer(polygon, start, goal, limits, preference, progress);
     Optimum optimum = optimizer.run();
-    return Preferred.of(optimum, preference, optimizer.isMostPreferred);
+    return optimizer.isMostPreferred
+        ? Preferred.of(optimum, preference, true)
+        : PreferredRegions.improve(optimum, preference, limits, optimizer.clock);
   }
 
   /**

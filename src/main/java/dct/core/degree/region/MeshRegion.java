@@ -2,6 +2,7 @@ package dct.core.degree.region;
 
 import dct.core.Progress;
 import dct.core.SeededRandom;
+import dct.core.degree.Preference;
 import dct.core.geometry.Points;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.MonotoneTriangulation;
@@ -29,6 +30,7 @@ final class MeshRegion {
   private final SeededRandom random;
   private final Progress progress;
   private final RegionTable small;
+  private PreferredRegion preferred; // null if nothing is preferred
   private final int lo;
   private final int hi;
   private final int[] ring; // the vertices, counter-clockwise
@@ -242,6 +244,33 @@ final class MeshRegion {
       noise[pair] = random.nextInt(1 << noiseBits);
     }
     return ParityTable.fill(graph, costs, noise, progress);
+  }
+
+  /** Lets {@link #fillPreferred} prefer this. */
+  void prefer(Preference preference) {
+    int most = Math.min(ring.length, RegionTable.MOST);
+    preferred = new PreferredRegion(mesh, preference, px, py, costs, most);
+  }
+
+  /**
+   * Closes the region, which has few vertices, with the fewest unmet ones and of such
+   * triangulations with the most preferred.
+   *
+   * @return whether it is better than before; if not, nothing has changed
+   */
+  boolean fillPreferred() {
+    for (int i = 0; i < size; i++) {
+      setCost(i, mesh.weight[ring[i]] == 0 ? 0 : 1);
+    }
+    locate();
+    ChordTable table = preferred.solve(ring, size);
+    boolean isBetter = preferred.isBetter(slot, before);
+    if (isBetter) {
+      write(table);
+    } else {
+      putBack();
+    }
+    return isBetter;
   }
 
   /** Closes the region with the triangles that it had. */

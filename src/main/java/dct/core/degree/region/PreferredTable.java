@@ -1,12 +1,6 @@
 package dct.core.degree.region;
 
-import dct.core.Progress;
-import dct.core.degree.ParityGoal;
-import dct.core.degree.Preference;
-import dct.core.geometry.Points;
-import dct.core.triangulate.VisibilityGraph;
 import java.util.Arrays;
-import java.util.stream.IntStream;
 
 /**
  * The {@link ChordTable} whose costs are pairs, compared lexicographically: the number of unmet
@@ -21,119 +15,79 @@ import java.util.stream.IntStream;
  * <p>Where several apexes are equally good because the worst triangle is elsewhere, the one is
  * taken whose triangle and parts are the best otherwise; then the lowest.
  *
- * <p>Takes the same steps as {@link ParityTable}; memory 64 bytes a pair beside the 8 of the graph.
+ * <p>Which chords there are is left to the kinds of table, as in {@link UnmetTable}: {@link
+ * PreferredRegionTable} for few vertices, {@link PreferredPolygonTable} for many.
  */
-public final class PreferredTable extends ChordTable {
-  private static final long INFINITE = 1L << 61; // three of these still add up without overflow
+abstract class PreferredTable extends ChordTable {
+  static final long INFINITE = 1L << 61; // three of these still add up without overflow
   private static final int COUNT_END = 60; // counts end below this bit
 
-  private final VisibilityGraph graph;
-  private final SecondCost second;
+  private final int[] costs; // by position and parity of triangles, as in UnmetTable
+  final SecondCost second;
   private final boolean isLargest;
-  private final int n;
-  private final int mostApexes;
   private final long one; // a count of 1
   private final long high; // the bits of the count
-  private final long[] costs; // by position and parity of triangles, as in UnmetTable
-  private final long[] best; // by slot: f(k, j)
-  private final long[] closed; // by pair, as in UnmetTable
-
-  private PreferredTable(
-      VisibilityGraph graph,
-      ParityGoal.Wish[] wishes,
-      Preference preference,
-      Points points,
-      int[] vertex) {
-    this.graph = graph;
-    n = graph.vertices();
-    int bits = COUNT_END - Integer.SIZE + Integer.numberOfLeadingZeros(n);
-    one = 1L << bits;
-    high = -one;
-    second = new SecondCost(preference, points, vertex, bits);
-    isLargest = second.isLargest();
-    int[] counts = ParityTable.costs(wishes);
-    costs = new long[counts.length];
-    for (int i = 0; i < counts.length; i++) {
-      costs[i] = counts[i] * one;
-    }
-    mostApexes =
-        IntStream.range(0, n).map(i -> graph.firstUp(i + 1) - graph.firstUp(i)).max().orElse(0);
-    best = new long[4 * graph.pairs()];
-    closed = new long[4 * graph.pairs()];
-  }
+  // Four entries a chord each, as in UnmetTable.
+  private final long[] best;
+  private final long[] closed;
 
   /**
-   * Fills the table.
+   * An empty table.
    *
-   * @param wishes by position
-   * @param vertex by position: its number among the points
-   * @throws java.util.concurrent.CancellationException if cancelled
+   * @param costs of positions, as in {@link UnmetTable}; all of them together at most their number
+   * @param chords the number of chords at most
    */
-  public static PreferredTable fill(
-      VisibilityGraph graph,
-      ParityGoal.Wish[] wishes,
-      Preference preference,
-      Points points,
-      int[] vertex,
-      Progress progress) {
-    PreferredTable table = new PreferredTable(graph, wishes, preference, points, vertex);
-    PairBlocks.fill(graph, () -> table.new Filler(), progress);
-    return table;
+  PreferredTable(int[] costs, SecondCost second, int chords) {
+    this.costs = costs;
+    this.second = second;
+    isLargest = second.isLargest();
+    one = 1L << second.bits();
+    high = -one;
+    best = new long[4 * chords];
+    closed = new long[4 * chords];
+  }
+
+  /** How many bits are left for the second cost beside the count of so many vertices. */
+  static int secondBits(int vertices) {
+    return COUNT_END - Integer.SIZE + Integer.numberOfLeadingZeros(vertices);
   }
 
   // ---- filling
 
-  /** Fills one pair after the other, with memory of its own for the apexes. */
-  private final class Filler implements PairBlocks.Filler {
-    private final int[] apex = new int[mostApexes + 1];
-    private final int[] left = new int[mostApexes + 1]; // where the entries of (i, k) are in closed
-    private final int[] right = new int[mostApexes + 1]; // where those of (k, j) are in best
-    private long m00;
-    private long m01;
-    private long m10;
-    private long m11;
+  /** Stores the entries of an edge of the polygon that ends at j. */
+  final void storeSide(int j, int at, int closedAt) {
+    store(j, at, closedAt, 0, INFINITE, INFINITE, INFINITE);
+  }
 
-    @Override
-    public void fill(int i, int j, int pair) {
-      int slot = graph.slotAfter(j, i);
-      m00 = INFINITE;
-      m01 = INFINITE;
-      m10 = INFINITE;
-      m11 = INFINITE;
-      if (j == i + 1) {
-        store(j, 4 * (slot - 1), 4 * pair, 0, INFINITE, INFINITE, INFINITE);
-        return;
-      }
-      int count = findApexes(graph.firstUp(i), pair, slot, graph.firstDown(j + 1));
-      long own = 0;
-      if (isLargest) {
-        takeLargest(i, j, count);
-      } else {
-        takeSums(count);
-        own = second.ofChord(i, j);
-      }
-      store(j, 4 * (slot - 1), 4 * pair, m11 + own, m10 + own, m01 + own, m00 + own);
+  /** The apexes of one chord after the other, and the best of them; memory of one thread. */
+  final class Apexes {
+    final int[] apex;
+    final int[] left; // by apex: where the entries of (i, k) are in closed
+    final int[] right; // by apex: where those of (k, j) are in best
+    int count;
+
+    /** Room for so many apexes of a chord, and one more. */
+    Apexes(int most) {
+      apex = new int[most + 1];
+      left = new int[most + 1];
+      right = new int[most + 1];
     }
 
-    /** Merges two sorted lists, without a branch that cannot be foretold. */
-    private int findApexes(int upStart, int upEnd, int slotStart, int slotEnd) {
-      int up = upStart;
-      int slot = slotStart;
-      int count = 0;
-      while (up < upEnd && slot < slotEnd) {
-        int k = graph.high(up);
-        int other = graph.low(slot);
-        apex[count] = k;
-        left[count] = 4 * up;
-        right[count] = 4 * slot;
-        count += k == other ? 1 : 0;
-        up += k <= other ? 1 : 0;
-        slot += other <= k ? 1 : 0;
-      }
-      return count;
+    /**
+     * Stores the entries of the chord (i, j) with these apexes.
+     *
+     * @return whether there is a triangulation of its part
+     */
+    boolean storeBest(int i, int j, int at, int closedAt) {
+      return isLargest ? storeLargest(i, j, at, closedAt) : storeSum(i, j, at, closedAt);
     }
 
-    private void takeSums(int count) {
+    /** Long because it is the kernel. */
+    private boolean storeSum(int i, int j, int at, int closedAt) {
+      long m00 = INFINITE;
+      long m01 = INFINITE;
+      long m10 = INFINITE;
+      long m11 = INFINITE;
       for (int c = 0; c < count; c++) {
         int g = left[c];
         int f = right[c];
@@ -150,10 +104,19 @@ public final class PreferredTable extends ChordTable {
         m10 = Math.min(m10, Math.min(g10 + f00, g11 + f10));
         m11 = Math.min(m11, Math.min(g10 + f01, g11 + f11));
       }
+      long own = second.ofChord(i, j);
+      return store(j, at, closedAt, m11 + own, m10 + own, m01 + own, m00 + own);
     }
 
-    /** A triangle is looked at only where its parts alone would be better than the best so far. */
-    private void takeLargest(int i, int j, int count) {
+    /**
+     * Long because it is the kernel. A triangle is looked at only where its parts alone would be
+     * better than the best so far.
+     */
+    private boolean storeLargest(int i, int j, int at, int closedAt) {
+      long m00 = INFINITE;
+      long m01 = INFINITE;
+      long m10 = INFINITE;
+      long m11 = INFINITE;
       for (int c = 0; c < count; c++) {
         int g = left[c];
         int f = right[c];
@@ -177,6 +140,7 @@ public final class PreferredTable extends ChordTable {
           m11 = Math.min(m11, raised(s11, triangle));
         }
       }
+      return store(j, at, closedAt, m11, m10, m01, m00);
     }
   }
 
@@ -190,33 +154,36 @@ public final class PreferredTable extends ChordTable {
     return Math.max(cost, (cost & high) + triangle);
   }
 
-  private void store(int j, int at, int closedAt, long f00, long f01, long f10, long f11) {
+  /** Stores the entries of a chord that ends at j; whether one of them is finite. */
+  private boolean store(int j, int at, int closedAt, long f00, long f01, long f10, long f11) {
     best[at] = Math.min(INFINITE, f00);
     best[at + 1] = Math.min(INFINITE, f01);
     best[at + 2] = Math.min(INFINITE, f10);
     best[at + 3] = Math.min(INFINITE, f11);
-    long even = costs[2 * j];
-    long odd = costs[2 * j + 1];
+    long even = costs[2 * j] * one;
+    long odd = costs[2 * j + 1] * one;
     closed[closedAt] = Math.min(INFINITE, Math.min(f00 + odd, f01 + even));
     closed[closedAt + 1] = Math.min(INFINITE, Math.min(f00 + even, f01 + odd));
     closed[closedAt + 2] = Math.min(INFINITE, Math.min(f10 + odd, f11 + even));
     closed[closedAt + 3] = Math.min(INFINITE, Math.min(f10 + even, f11 + odd));
+    return Math.min(Math.min(f00, f01), Math.min(f10, f11)) < INFINITE;
   }
 
   // ---- reading
 
   /** The fewest unmet vertices. */
-  public int fewest() {
-    return (int) (total(ends()) / one);
+  final int fewest() {
+    return (int) (least() / one);
   }
 
-  @Override
-  int size() {
-    return n;
-  }
+  /** Where the entries of the chord (i, j) are in {@link #best}. */
+  abstract int at(int i, int j);
+
+  /** The lowest apex above {@code k} of a triangle on the chord (i, j), or j if there is none. */
+  abstract int apexAfter(int k, int i, int j);
 
   @Override
-  int ends() {
+  final int ends() {
     int ends = 0;
     for (int other = 1; other < 4; other++) {
       ends = total(other) < total(ends) ? other : ends;
@@ -224,26 +191,28 @@ public final class PreferredTable extends ChordTable {
     return ends;
   }
 
-  private long total(int ends) {
-    return best[at(0, n - 1) + ends] + costs[ends >> 1] + costs[2 * (n - 1) + (ends & 1)];
+  /** The cost of the whole polygon. */
+  final long least() {
+    return total(ends());
   }
 
-  private int at(int i, int j) {
-    return 4 * (graph.slotAfter(j, i) - 1);
+  private long total(int ends) {
+    int last = size() - 1;
+    return best[at(0, last) + ends] + (costs[ends >> 1] + costs[2 * last + (ends & 1)]) * one;
   }
 
   @Override
-  int triangle(int i, int j, int ends) {
+  final int triangle(int i, int j, int ends) {
     long wanted = best[at(i, j) + ends];
     int found = -1;
     long[] least = {};
-    for (int k = graph.commonAfter(i, i, j); k < j; k = graph.commonAfter(k, i, j)) {
+    for (int k = apexAfter(i, i, j); k < j; k = apexAfter(k, i, j)) {
       int left = at(i, k);
       int right = at(k, j);
       for (int rs = 0; rs < 4; rs++) {
         int leftEnds = 2 * (1 - (ends >> 1)) + (rs >> 1);
         int rightEnds = 2 * (rs & 1) + 1 - (ends & 1);
-        long g = best[left + leftEnds] + costs[2 * k + (1 ^ (rs >> 1) ^ (rs & 1))];
+        long g = best[left + leftEnds] + one * costs[2 * k + (1 ^ (rs >> 1) ^ (rs & 1))];
         long f = best[right + rightEnds];
         if (cost(i, k, j, g, f) == wanted) {
           long[] others = isLargest ? seconds(i, k, j, g, f) : least;
@@ -255,6 +224,11 @@ public final class PreferredTable extends ChordTable {
       }
     }
     return found;
+  }
+
+  /** The cost of so many unmet vertices with this second cost. */
+  final long cost(int count, long secondCost) {
+    return count * one + secondCost;
   }
 
   private long cost(int i, int k, int j, long g, long f) {

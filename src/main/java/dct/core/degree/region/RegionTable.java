@@ -12,14 +12,8 @@ final class RegionTable extends UnmetTable {
   /** The largest number of vertices: the bits of a long. */
   static final int MOST = Long.SIZE;
 
-  private final SearchMesh mesh;
-  private final double[] x;
-  private final double[] y;
-  private final int shift; // a row has 1 << shift chords
+  private final RegionChords chords;
   private final int[] own; // by chord
-  private final long[] from; // by i: the chords (i, j) that can be filled, a bit for each j
-  private final long[] into; // by j: the chords (i, j) that can be filled, a bit for each i
-  private int size;
 
   /**
    * A table for polygons of at most so many vertices.
@@ -28,22 +22,9 @@ final class RegionTable extends UnmetTable {
    * @param costs where it finds their costs
    */
   RegionTable(SearchMesh mesh, double[] x, double[] y, int[] costs, int most) {
-    super(costs, chords(most));
-    this.mesh = mesh;
-    this.x = x;
-    this.y = y;
-    shift = shift(most);
-    own = new int[chords(most)];
-    from = new long[most];
-    into = new long[most];
-  }
-
-  private static int shift(int most) {
-    return Integer.SIZE - Integer.numberOfLeadingZeros(most - 1);
-  }
-
-  private static int chords(int most) {
-    return 1 << (2 * shift(most));
+    super(costs, RegionChords.count(most));
+    chords = new RegionChords(mesh, x, y, most);
+    own = new int[RegionChords.count(most)];
   }
 
   /**
@@ -52,17 +33,13 @@ final class RegionTable extends UnmetTable {
    * @param noiseBits chords cost a random amount below 2 to this power, which is at least 1
    */
   void solve(int vertices, int noiseBits, int noiseSeed) {
-    size = vertices;
     int drop = Integer.SIZE - noiseBits;
     int noise = noiseSeed;
-    for (int j = 0; j < size; j++) {
-      from[j] = 0;
-      into[j] = 0;
-    }
-    for (int j = 1; j < size; j++) {
+    chords.clear(vertices);
+    for (int j = 1; j < vertices; j++) {
       int side = at(j - 1, j);
       store(j, side, side, 0, INFINITE, INFINITE, INFINITE);
-      mark(j - 1, j);
+      chords.mark(j - 1, j);
       for (int i = j - 2; i >= 0; i--) {
         noise = noise * 1664525 + 1013904223;
         own[at(i, j) >> 2] = noise >>> drop;
@@ -71,22 +48,17 @@ final class RegionTable extends UnmetTable {
     }
   }
 
-  private void mark(int i, int j) {
-    from[i] |= 1L << j;
-    into[j] |= 1L << i;
-  }
-
   /** Long because it is the kernel: its loop runs once for each triangle. */
   private void combine(int i, int j) {
     int m00 = INFINITE;
     int m01 = INFINITE;
     int m10 = INFINITE;
     int m11 = INFINITE;
-    long apexes = from[i] & into[j];
+    long apexes = chords.apexes(i, j);
     while (apexes != 0) {
       int k = Long.numberOfTrailingZeros(apexes);
       apexes &= apexes - 1;
-      if (isTriangle(i, k, j)) {
+      if (chords.isTriangle(i, k, j)) {
         int g = at(i, k);
         int f = at(k, j);
         int g00 = closed[g];
@@ -106,35 +78,23 @@ final class RegionTable extends UnmetTable {
     if (Math.min(Math.min(m00, m01), Math.min(m10, m11)) < INFINITE) {
       int chord = own(i, j);
       store(j, at(i, j), at(i, j), m11 + chord, m10 + chord, m01 + chord, m00 + chord);
-      mark(i, j);
+      chords.mark(i, j);
     }
-  }
-
-  private boolean isTriangle(int i, int k, int j) {
-    return mesh.isLeftTurn(x[i], y[i], x[k], y[k], x[j], y[j]);
   }
 
   @Override
   int apexAfter(int k, int i, int j) {
-    long apexes = from[i] & into[j] & (-2L << k);
-    while (apexes != 0) {
-      int apex = Long.numberOfTrailingZeros(apexes);
-      apexes &= apexes - 1;
-      if (isTriangle(i, apex, j)) {
-        return apex;
-      }
-    }
-    return j;
+    return chords.apexAfter(k, i, j);
   }
 
   @Override
   int size() {
-    return size;
+    return chords.size();
   }
 
   @Override
   int at(int i, int j) {
-    return ((i << shift) + j) << 2;
+    return chords.at(i, j);
   }
 
   @Override

@@ -3,6 +3,7 @@ package dct.core.degree.region;
 import dct.core.degree.Preference;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
+import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.SmallestAngle;
 import java.util.Arrays;
 
@@ -19,32 +20,48 @@ final class SecondCost {
   private static final int DOUBLE_BITS = 63; // of the range from there to infinity
 
   private final Preference preference;
-  private final Points points;
-  private final int[] vertex; // by position
+  private final double[] x; // by position
+  private final double[] y;
+  private final int[] vertex; // by position: its number in triangulations
   private final int bits;
   private final double scale; // of lengths
 
   /**
-   * The costs in a polygon.
+   * The costs in polygons whose coordinates and numbers stand in these arrays when they are asked
+   * for, by position on the counter-clockwise walk.
    *
-   * @param vertex by position on the counter-clockwise walk
    * @param bits at least 32
+   * @param longest no chord is longer
    */
-  SecondCost(Preference preference, Points points, int[] vertex, int bits) {
+  SecondCost(
+      Preference preference, double[] x, double[] y, int[] vertex, int bits, double longest) {
     this.preference = preference;
-    this.points = points;
-    this.vertex = vertex.clone();
+    this.x = x;
+    this.y = y;
+    this.vertex = vertex;
     this.bits = bits;
-    scale = preference.kind() == Preference.Kind.LENGTH ? scale() : 0;
+    int bitsOfOne = bits - Integer.SIZE + Integer.numberOfLeadingZeros(x.length);
+    scale = Math.scalb(1.0, bitsOfOne - 1) / longest;
   }
 
-  private double scale() {
-    double[] x = Arrays.stream(vertex).mapToDouble(points::x).toArray();
-    double[] y = Arrays.stream(vertex).mapToDouble(points::y).toArray();
+  /** The costs in one polygon. */
+  static SecondCost of(Preference preference, SimplePolygon polygon) {
+    int[] vertex = polygon.walk();
+    double[] x = Arrays.stream(vertex).mapToDouble(polygon.points()::x).toArray();
+    double[] y = Arrays.stream(vertex).mapToDouble(polygon.points()::y).toArray();
+    int bits = PreferredTable.secondBits(vertex.length);
+    return new SecondCost(preference, x, y, vertex, bits, longest(x, y));
+  }
+
+  /** No two of these points are farther apart. */
+  static double longest(double[] x, double[] y) {
     Box box = Box.of(Points.of(x, y));
-    double longest = Preference.length(box.maxX() - box.minX(), box.maxY() - box.minY());
-    int forOne = bits - Integer.SIZE + Integer.numberOfLeadingZeros(vertex.length);
-    return Math.scalb(1.0, forOne - 1) / longest;
+    return Preference.length(box.maxX() - box.minX(), box.maxY() - box.minY());
+  }
+
+  /** The number of bits. */
+  int bits() {
+    return bits;
   }
 
   /** Whether the largest cost of a triangle counts, rather than the sum of those of the chords. */
@@ -54,25 +71,26 @@ final class SecondCost {
 
   /** What the chord between two positions costs. */
   long ofChord(int i, int j) {
-    int u = vertex[i];
-    int v = vertex[j];
+    return ofEdge(x[i] - x[j], y[i] - y[j], vertex[i], vertex[j]);
+  }
+
+  /** What an edge between two vertices costs that differ by this vector. */
+  long ofEdge(double dx, double dy, int u, int v) {
     return switch (preference.kind()) {
       case ANGLE -> 0;
-      case LENGTH ->
-          Math.round(
-              scale * Preference.length(points.x(u) - points.x(v), points.y(u) - points.y(v)));
+      case LENGTH -> Math.round(scale * Preference.length(dx, dy));
       case KEPT -> preference.isGiven(u, v) ? 0 : 1;
     };
   }
 
   /** What a triangle costs, counter-clockwise by position. */
   long ofTriangle(int i, int k, int j) {
-    int a = vertex[i];
-    int b = vertex[k];
-    int c = vertex[j];
-    double cotangent =
-        SmallestAngle.cotangent(
-            points.x(a), points.y(a), points.x(b), points.y(b), points.x(c), points.y(c));
+    return ofTriangle(x[i], y[i], x[k], y[k], x[j], y[j]);
+  }
+
+  /** What a triangle costs, counter-clockwise. */
+  long ofTriangle(double ax, double ay, double bx, double by, double cx, double cy) {
+    double cotangent = SmallestAngle.cotangent(ax, ay, bx, by, cx, cy);
     return (Double.doubleToRawLongBits(cotangent) - LEAST) >>> (DOUBLE_BITS - bits);
   }
 }
