@@ -143,7 +143,9 @@ public final class Preference {
 
   /** The length of a vector, the same on all machines. */
   public static double length(double x, double y) {
-    return StrictMath.hypot(x, y);
+    double square = x * x + y * y;
+    boolean isOrdinary = square < 0x1p1000 && square > 0x1p-900;
+    return isOrdinary ? Math.sqrt(square) : StrictMath.hypot(x, y);
   }
 
   private int keptEdges(Triangulation triangulation) {

@@ -7,8 +7,8 @@ package dct.core.geometry;
  * result does not depend on the corner named first.
  */
 public final class SmallestAngle {
-  private static final double LARGE = 0x1p300; // squares of what is less do not overflow
-  private static final double SMALL = 0x1p-300;
+  private static final double LARGE = 0x1p600; // squares, so that their products do not overflow
+  private static final double SMALL = 0x1p-600;
 
   private SmallestAngle() {}
 
@@ -23,16 +23,46 @@ public final class SmallestAngle {
     double qy = cy - by;
     double rx = ax - cx;
     double ry = ay - cy;
-    double size = Math.max(largest(px, py), Math.max(largest(qx, qy), largest(rx, ry)));
-    if (size > LARGE || size < SMALL) {
-      double s = Math.scalb(1.0, size > LARGE ? -Math.getExponent(size) : Double.MAX_EXPONENT / 2);
-      return cotangent(s * ax, s * ay, s * bx, s * by, s * cx, s * cy);
+    double p = px * px + py * py;
+    double q = qx * qx + qy * qy;
+    double r = rx * rx + ry * ry;
+    double size = Math.max(p, Math.max(q, r));
+    if (!(size < LARGE && size > SMALL)) {
+      return scaled(ax, ay, bx, by, cx, cy);
     }
-    return Math.max(at(px, py, rx, ry), Math.max(at(qx, qy, px, py), at(rx, ry, qx, qy)));
+    double cotangent = Double.NEGATIVE_INFINITY;
+    if (p <= q && p <= r) { // the smallest angle is opposite the shortest side
+      cotangent = at(rx, ry, qx, qy);
+    }
+    if (q <= p && q <= r) {
+      cotangent = Math.max(cotangent, at(px, py, rx, ry));
+    }
+    if (r <= p && r <= q) {
+      cotangent = Math.max(cotangent, at(qx, qy, px, py));
+    }
+    return cotangent;
   }
 
-  private static double largest(double x, double y) {
-    return Math.max(Math.abs(x), Math.abs(y));
+  /** Of a triangle of ordinary size and the same form, but for what underflows. */
+  private static double scaled(double ax, double ay, double bx, double by, double cx, double cy) {
+    double half = 0.5; // so that no difference overflows
+    double px = half * bx - half * ax;
+    double py = half * by - half * ay;
+    double qx = half * cx - half * ax;
+    double qy = half * cy - half * ay;
+    double size =
+        Math.max(Math.max(Math.abs(px), Math.abs(py)), Math.max(Math.abs(qx), Math.abs(qy)));
+    if (size == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    int power = -Math.getExponent(size);
+    return cotangent(
+        0,
+        0,
+        Math.scalb(px, power),
+        Math.scalb(py, power),
+        Math.scalb(qx, power),
+        Math.scalb(qy, power));
   }
 
   /** The cotangent of the angle between the edge that leaves a corner and the one that comes in. */

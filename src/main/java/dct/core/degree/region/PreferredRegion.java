@@ -23,7 +23,7 @@ final class PreferredRegion {
     this.mesh = mesh;
     site = new int[most];
     double longest = SecondCost.longest(mesh.x, mesh.y);
-    int bits = PreferredTable.secondBits(most);
+    int bits = SecondCost.bitsBeside(most);
     second = new SecondCost(preference, x, y, site, bits, longest);
     table = new PreferredRegionTable(mesh, x, y, costs, second, most);
   }

@@ -20,7 +20,6 @@ import java.util.Arrays;
  */
 abstract class PreferredTable extends ChordTable {
   static final long INFINITE = 1L << 61; // three of these still add up without overflow
-  private static final int COUNT_END = 60; // counts end below this bit
 
   private final int[] costs; // by position and parity of triangles, as in UnmetTable
   final SecondCost second;
@@ -45,11 +44,6 @@ abstract class PreferredTable extends ChordTable {
     high = -one;
     best = new long[4 * chords];
     closed = new long[4 * chords];
-  }
-
-  /** How many bits are left for the second cost beside the count of so many vertices. */
-  static int secondBits(int vertices) {
-    return COUNT_END - Integer.SIZE + Integer.numberOfLeadingZeros(vertices);
   }
 
   // ---- filling

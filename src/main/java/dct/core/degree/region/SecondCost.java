@@ -17,6 +17,7 @@ import java.util.Arrays;
  */
 final class SecondCost {
   private static final long LEAST = Double.doubleToRawLongBits(0.5); // below every cotangent
+  private static final int COUNT_END = 60; // counts end below this bit
   private static final int DOUBLE_BITS = 63; // of the range from there to infinity
 
   private final Preference preference;
@@ -49,8 +50,13 @@ final class SecondCost {
     int[] vertex = polygon.walk();
     double[] x = Arrays.stream(vertex).mapToDouble(polygon.points()::x).toArray();
     double[] y = Arrays.stream(vertex).mapToDouble(polygon.points()::y).toArray();
-    int bits = PreferredTable.secondBits(vertex.length);
+    int bits = bitsBeside(vertex.length);
     return new SecondCost(preference, x, y, vertex, bits, longest(x, y));
+  }
+
+  /** How many bits a long has left beside a count of so many vertices. */
+  static int bitsBeside(int vertices) {
+    return COUNT_END - Integer.SIZE + Integer.numberOfLeadingZeros(vertices);
   }
 
   /** No two of these points are farther apart. */
