@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class MarkPainterTest {
   private static final Box SCREEN = new Box(0, 0, 700, 500);
+  private static final List<Tone> TONES = List.of(Tone.values());
 
   private static Scene circle(int n) {
     double[] x = new double[n];
@@ -44,7 +45,7 @@ class MarkPainterTest {
   private static List<Mark> all(Scene scene) {
     List<Mark> marks = new ArrayList<>();
     for (int v = 0; v < scene.size(); v++) {
-      marks.add(new Mark.Vertex(v, Tone.values()[v % 3], Integer.toString(v + 1)));
+      marks.add(new Mark.Vertex(v, TONES.get(v % TONES.size()), Integer.toString(v + 1)));
     }
     return marks;
   }
