@@ -102,6 +102,23 @@ public final class Rows {
   }
 
   /**
+   * Reads so many points of the plane, one a row.
+   *
+   * @throws BadInputException if there are fewer, or a row has not two numbers
+   */
+  public PointColumns points(int count) throws IOException {
+    PointColumns points = new PointColumns();
+    for (int i = 0; i < count; i++) {
+      next(i, count, "points");
+      if (size != 2) {
+        throw fault("there are " + size + " numbers, not 2; write one point a line");
+      }
+      points.add(number(0), number(1), line());
+    }
+    return points;
+  }
+
+  /**
    * Sees that there is no further row.
    *
    * @param last what the present row is, as {@code its last triangle}

@@ -46,17 +46,8 @@ public final class QhullFormat implements Format {
               + dimension
               + " coordinates; write points of the plane, behind the dimension 2");
     }
-    PointColumns points = new PointColumns();
-    rows.rest(
-        count,
-        "point",
-        () -> {
-          if (rows.words().size() != PLANE) {
-            throw rows.fault(
-                "there are " + rows.words().size() + " numbers, not 2; write one point a line");
-          }
-          points.add(rows.number(0), rows.number(1), rows.line());
-        });
+    PointColumns points = rows.points(count);
+    rows.end("its last point", "count");
     return Shapes.of(title(), Shape.of(Shape.Kind.SITES, "", points));
   }
 }

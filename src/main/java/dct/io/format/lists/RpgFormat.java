@@ -44,16 +44,7 @@ public final class RpgFormat implements Format {
     if (rows.words().size() > 1) {
       rows.next(0, 1, "counts"); // behind the limits
     }
-    PointColumns points = new PointColumns();
-    int count = rows.count(0);
-    for (int i = 0; i < count; i++) {
-      rows.next(i, count, "points");
-      if (rows.words().size() != 2) {
-        throw rows.fault(
-            "there are " + rows.words().size() + " numbers, not 2; write one point a line");
-      }
-      points.add(rows.number(0), rows.number(1), rows.line());
-    }
+    PointColumns points = rows.points(rows.count(0));
     if (!rows.next()) {
       return Shapes.of(title(), Shape.of(Shape.Kind.SITES, "", points));
     }
