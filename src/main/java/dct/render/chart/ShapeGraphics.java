@@ -1,5 +1,6 @@
 package dct.render.chart;
 
+import dct.render.OutlinedText;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Composite;
@@ -29,16 +30,16 @@ import java.awt.image.RenderedImage;
 import java.awt.image.renderable.RenderableImage;
 import java.text.AttributedCharacterIterator;
 import java.util.Map;
+import java.util.Optional;
 
 /**
- * Graphics that keep the state of a drawing and reduce all of it, text too, to lines drawn and
- * shapes filled. What charts do not draw, images above all, is refused.
+ * Graphics that keep the state of a drawing and reduce all of it to lines drawn, shapes filled and
+ * text, which is found where its letters are filled. What charts do not draw, images above all, is
+ * refused.
  *
  * <p>Longer than other classes because {@link Graphics2D} has so many methods; each is a line.
  */
 abstract class ShapeGraphics extends Graphics2D {
-  private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
-
   private AffineTransform transform = new AffineTransform();
   private Color colour = Color.BLACK;
   private Color background = Color.WHITE;
@@ -53,9 +54,30 @@ abstract class ShapeGraphics extends Graphics2D {
   /** Draws the outline of a shape given in device space. */
   abstract void draw(Shape shape, Color paint, BasicStroke pen, Shape within);
 
+  /**
+   * Writes text.
+   *
+   * @param at from the start of its baseline to device space: moved, turned and enlarged
+   * @param width how far it advances, before it is enlarged
+   */
+  abstract void write(
+      String text, Font letters, AffineTransform at, double width, Color paint, Shape within);
+
   @Override
   public final void fill(Shape shape) {
-    fill(transform.createTransformedShape(shape), colour, clip);
+    Optional<OutlinedText> found =
+        shape instanceof Path2D ? OutlinedText.of(shape, font) : Optional.empty();
+    if (found.isPresent()) {
+      write(found.get());
+    } else {
+      fill(transform.createTransformedShape(shape), colour, clip);
+    }
+  }
+
+  private void write(OutlinedText found) {
+    AffineTransform at = getTransform();
+    at.concatenate(found.at());
+    write(found.text(), font, at, found.width(), colour, clip);
   }
 
   @Override
@@ -69,8 +91,8 @@ abstract class ShapeGraphics extends Graphics2D {
 
   @Override
   public final void drawString(String text, float x, float y) {
-    GlyphVector glyphs = font.createGlyphVector(FONTS, text);
-    fill(glyphs.getOutline(x, y));
+    AffineTransform at = AffineTransform.getTranslateInstance(x, y);
+    write(new OutlinedText(text, at, OutlinedText.advance(font, text)));
   }
 
   @Override
@@ -304,7 +326,7 @@ abstract class ShapeGraphics extends Graphics2D {
 
   @Override
   public final FontRenderContext getFontRenderContext() {
-    return FONTS;
+    return OutlinedText.MEASURE;
   }
 
   @Override

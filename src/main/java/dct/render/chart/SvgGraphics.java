@@ -2,13 +2,18 @@ package dct.render.chart;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Shape;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.PathIterator;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.StringJoiner;
 
-/** Writes what is drawn as an SVG 1.1 document: a path for each shape, letters too. */
+/**
+ * Writes what is drawn as an SVG 1.1 document: a path for each shape, and text as text, in the
+ * viewer's letters without serifs, which take the width that was meant.
+ */
 final class SvgGraphics extends ShapeGraphics {
   private static final String COMMANDS = "mlqcz"; // by the numbers of PathIterator
   private static final int[] POINTS = {1, 1, 2, 3, 0}; // of each
@@ -24,8 +29,8 @@ final class SvgGraphics extends ShapeGraphics {
     out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" role=\"img\"");
     out.append(" width=\"").append(width);
     out.append("\" height=\"").append(height).append("\" viewBox=\"0 0 ").append(width);
-    out.append(' ').append(height).append("\">\n<title>");
-    out.append(title.replace("&", "&amp;").replace("<", "&lt;")).append("</title>\n");
+    out.append(' ').append(height).append("\" font-family=\"sans-serif\">\n<title>");
+    out.append(escaped(title)).append("</title>\n");
   }
 
   /** The whole document; nothing can be drawn after. */
@@ -54,6 +59,33 @@ final class SvgGraphics extends ShapeGraphics {
     end(shape, path(shape), within);
   }
 
+  @Override
+  void write(
+      String text, Font letters, AffineTransform at, double width, Color paint, Shape within) {
+    clipTo(within);
+    double scale = Math.hypot(at.getScaleX(), at.getShearY());
+    String x = number(at.getTranslateX());
+    String y = number(at.getTranslateY());
+    double degrees = Math.toDegrees(Math.atan2(at.getShearY(), at.getScaleX()));
+    out.append("<text fill=\"").append(hex(paint)).append('"');
+    opacity("fill", paint);
+    out.append(" x=\"").append(x).append("\" y=\"").append(y);
+    out.append("\" font-size=\"").append(number(scale * letters.getSize2D()));
+    out.append(letters.isBold() ? "\" font-weight=\"bold" : "");
+    if (!"0".equals(number(degrees))) {
+      out.append("\" transform=\"rotate(").append(number(degrees));
+      out.append(' ').append(x).append(' ').append(y).append(')');
+    }
+    out.append("\" textLength=\"").append(number(scale * width));
+    out.append("\" lengthAdjust=\"spacingAndGlyphs\"");
+    clipped(within);
+    out.append('>').append(escaped(text)).append("</text>\n");
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;");
+  }
+
   /** Writes what is drawn and what is left out in turn; without gaps the line is not dashed. */
   private void dashes(float[] dashes) {
     if (dashes != null && dashes.length > 1 && dashes[1] > 0) {
@@ -76,10 +108,14 @@ final class SvgGraphics extends ShapeGraphics {
     if (shape.getPathIterator(null).getWindingRule() == PathIterator.WIND_EVEN_ODD) {
       out.append(" fill-rule=\"evenodd\"");
     }
+    clipped(within);
+    out.append(" d=\"").append(path).append("\"/>\n");
+  }
+
+  private void clipped(Shape within) {
     if (within != null) {
       out.append(" clip-path=\"url(#c").append(clips).append(")\"");
     }
-    out.append(" d=\"").append(path).append("\"/>\n");
   }
 
   /** Makes the clip the last one that is defined. */

@@ -152,6 +152,14 @@ class ChartFileTest {
   }
 
   @Test
+  void the_words_of_an_svg_are_text() throws IOException {
+    String lines = Files.readString(write(LINES, ".svg"));
+    assertThat(lines).contains(">Lines &amp; more</text>", ">%</text>", ">a</text>", ">b</text>");
+    assertThat(lines).contains(">1</text>", ">3.5</text>");
+    assertThat(Files.readString(write(BARS, ".svg"))).contains(">one</text>", ">two</text>");
+  }
+
+  @Test
   void a_pdf_has_one_page_and_is_the_same_each_time() throws IOException {
     byte[] bytes = Files.readAllBytes(write(LINES, ".pdf"));
     try (PDDocument document = Loader.loadPDF(bytes)) {

@@ -2,10 +2,16 @@ package dct.render.chart;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import dct.render.OutlinedText;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Rectangle;
+import java.awt.Shape;
+import java.awt.font.TextLayout;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
@@ -62,6 +68,50 @@ class SvgGraphicsTest {
     String svg = graphics.finish();
     assertThat(svg.split("<clipPath", -1)).hasSize(2);
     assertThat(svg.split("clip-path=\"url\\(#c1\\)\"", -1)).hasSize(3);
+  }
+
+  @Test
+  void letters_that_are_filled_are_text_where_they_are() {
+    graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 14));
+    graphics.translate(20, 10);
+    graphics.fill(outline("il: 50 %  <–> ñ;", AffineTransform.getTranslateInstance(3, 4)));
+    assertThat(graphics.finish())
+        .containsPattern(
+            "x=\"23\" y=\"14\" font-size=\"14\" font-weight=\"bold\" textLength=\"[0-9.]+\"[^>]*>"
+                + "il: 50 %  &lt;–> ñ;</text>")
+        .doesNotContain("<path");
+  }
+
+  @Test
+  void letters_that_are_turned_are_text() {
+    graphics.scale(2, 2);
+    graphics.fill(outline("even, %", AffineTransform.getRotateInstance(-Math.PI / 2)));
+    graphics.fill(outline("1.5", AffineTransform.getRotateInstance(Math.toRadians(-25))));
+    assertThat(graphics.finish())
+        .containsPattern("font-size=\"24\" transform=\"rotate\\(-90 0 0\\)\"[^>]*>even, %</text>")
+        .containsPattern("transform=\"rotate\\(-25 0 0\\)\"[^>]*>1.5</text>");
+  }
+
+  @Test
+  void text_takes_as_much_room_as_its_letters() {
+    graphics.drawString("Wide", 1, 2);
+    double width = new TextLayout("Wide", graphics.getFont(), OutlinedText.MEASURE).getAdvance();
+    String written = graphics.finish().replaceAll("(?s).*textLength=\"|\".*", "");
+    assertThat(Double.parseDouble(written)).isCloseTo(width, within(0.01));
+  }
+
+  @Test
+  void what_is_no_letter_stays_a_path() {
+    Path2D path = new Path2D.Double(outline("a", new AffineTransform()));
+    path.lineTo(50, 50);
+    graphics.fill(path);
+    graphics.fill(outline("a\u4e2d", new AffineTransform()));
+    graphics.fill(new Path2D.Double(new Rectangle(1, 1, 5, 5)));
+    assertThat(graphics.finish()).doesNotContain("<text");
+  }
+
+  private Shape outline(String text, AffineTransform at) {
+    return new TextLayout(text, graphics.getFont(), OutlinedText.MEASURE).getOutline(at);
   }
 
   @Test
