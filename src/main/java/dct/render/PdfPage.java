@@ -3,11 +3,17 @@ package dct.render;
 import de.rototor.pdfbox.graphics2d.PdfBoxGraphics2D;
 import de.rototor.pdfbox.graphics2d.PdfBoxGraphics2DFontTextDrawer;
 import java.awt.Font;
+import java.awt.FontFormatException;
 import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Path2D;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.apache.pdfbox.pdfwriter.compress.CompressParameters;
 import org.apache.pdfbox.pdmodel.PDDocument;
@@ -31,8 +37,18 @@ public final class PdfPage {
     }
   }
 
+  /** The same font, for text that is laid out before it is drawn on a page. */
+  public static Font letters() {
+    try (InputStream letters = PDDocument.class.getResourceAsStream(FONT)) {
+      return Font.createFont(Font.TRUETYPE_FONT, Objects.requireNonNull(letters, FONT));
+    } catch (IOException | FontFormatException e) {
+      throw new IllegalStateException(FONT, e);
+    }
+  }
+
   /**
-   * Writes what is drawn on a page of this size; text is text.
+   * Writes what is drawn on a page of this size; text is text, also where the outlines of its
+   * {@link #letters} are filled.
    *
    * @param points the points of a printer for each unit of the size and of what is drawn
    */
@@ -50,7 +66,7 @@ public final class PdfPage {
       PDPage page =
           new PDPage(new PDRectangle((float) (points * width), (float) (points * height)));
       document.addPage(page);
-      PdfBoxGraphics2D graphics = new PdfBoxGraphics2D(document, width, height);
+      PdfBoxGraphics2D graphics = new TextGraphics(document, width, height);
       graphics.setFontTextDrawer(new OneFont(font(document)));
       drawing.accept(graphics);
       graphics.dispose();
@@ -59,6 +75,32 @@ public final class PdfPage {
         content.drawForm(graphics.getXFormObject());
       }
       document.save(out, CompressParameters.NO_COMPRESSION); // PDF 1.4, for older TeX
+    }
+  }
+
+  /** Writes text where the outlines of its letters are filled. */
+  private static final class TextGraphics extends PdfBoxGraphics2D {
+    TextGraphics(PDDocument document, int width, int height) throws IOException {
+      super(document, width, height);
+    }
+
+    @Override
+    public FontRenderContext getFontRenderContext() {
+      return OutlinedText.MEASURE;
+    }
+
+    @Override
+    public void fill(Shape shape) {
+      Optional<OutlinedText> found =
+          shape instanceof Path2D ? OutlinedText.of(shape, getFont()) : Optional.empty();
+      if (found.isPresent()) {
+        AffineTransform before = getTransform();
+        transform(found.get().at());
+        drawString(found.get().text(), 0, 0);
+        setTransform(before);
+      } else {
+        super.fill(shape);
+      }
     }
   }
 

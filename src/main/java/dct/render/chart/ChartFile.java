@@ -51,7 +51,9 @@ public final class ChartFile {
               PAGE_WIDTH,
               PAGE_HEIGHT,
               POINTS,
-              graphics -> ChartPainter.paint(chart, graphics, PAGE_WIDTH, PAGE_HEIGHT, Theme.LIGHT),
+              graphics ->
+                  ChartPainter.paint(
+                      chart, graphics, PAGE_WIDTH, PAGE_HEIGHT, Theme.LIGHT, PdfPage.letters()),
               out);
       default -> throw new IllegalArgumentException(ending + " is no chart");
     }

@@ -35,17 +35,25 @@ public final class ChartPainter {
   private final Theme theme;
   private final int width;
   private final int height;
+  private final Font letters;
 
-  private ChartPainter(Chart chart, Theme theme, int width, int height) {
+  private ChartPainter(Chart chart, Theme theme, int width, int height, Font letters) {
     this.chart = chart;
     this.theme = theme;
     this.width = width;
     this.height = height;
+    this.letters = letters;
   }
 
   /** Draws a chart with its upper left corner at the origin. */
   public static void paint(Chart chart, Graphics2D graphics, int width, int height, Theme theme) {
-    ChartPainter painter = new ChartPainter(chart, theme, width, height);
+    paint(chart, graphics, width, height, theme, new Font(Font.SANS_SERIF, Font.PLAIN, TEXT));
+  }
+
+  /** The same with letters of a font, whatever its size. */
+  static void paint(
+      Chart chart, Graphics2D graphics, int width, int height, Theme theme, Font letters) {
+    ChartPainter painter = new ChartPainter(chart, theme, width, height, letters);
     if (chart.hasBars()) {
       painter.bars().paint(graphics, width, height);
     } else {
@@ -130,8 +138,8 @@ public final class ChartPainter {
     styler.setPlotGridLinesColor(new Color(Ink.PROPOSED.rgb(theme) | GRID_ALPHA, true));
   }
 
-  private static Font font(int style, int size) {
-    return new Font(Font.SANS_SERIF, style, size);
+  private Font font(int style, float size) {
+    return letters.deriveFont(style, size);
   }
 
   private static Color colour(Chart.Series series) {

@@ -18,6 +18,7 @@ import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.apache.pdfbox.Loader;
 import org.apache.pdfbox.pdmodel.PDDocument;
+import org.apache.pdfbox.text.PDFTextStripper;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -166,6 +167,7 @@ class ChartFileTest {
       assertThat(document.getNumberOfPages()).isOne();
       double millimetres = document.getPage(0).getMediaBox().getWidth() * 25.4 / 72;
       assertThat(millimetres).as("both columns of a paper").isCloseTo(174, within(0.1));
+      assertThat(new PDFTextStripper().getText(document)).contains("Lines & more", "%", "3.5", "b");
     }
     assertThat(Files.readAllBytes(write(LINES, ".pdf"))).isEqualTo(bytes);
   }
