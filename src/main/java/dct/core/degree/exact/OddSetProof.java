@@ -18,7 +18,7 @@ import java.util.concurrent.CancellationException;
  */
 public final class OddSetProof {
   /** The steps of an ordinary search, and of a check of what it has proven: some seconds. */
-  public static final long STEPS = 30_000_000;
+  public static final long STEPS = 40_000_000;
 
   private final OddSetSearch sets;
   private final ParityGoal goal;

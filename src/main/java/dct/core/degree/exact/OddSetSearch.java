@@ -247,7 +247,7 @@ public final class OddSetSearch {
    */
   private BitSet next(int more) {
     progress.checkCancelled();
-    steps += 1 + learned.size() / 8;
+    steps += 1 + learned.size() / Long.SIZE;
     BitSet best = null;
     BitSet packed = new BitSet();
     int disjoint = 0;

@@ -116,8 +116,8 @@ class OddSetProofTest {
     OddSetProof proof = OddSetProof.begin(start, goal, Progress.NONE).orElseThrow();
     Optimum known = Optimum.of(start, goal, NOTHING);
     int parts = 0;
-    while (!known.isProven() && parts < 100) {
-      known = proof.improve(known, 100_000);
+    while (!known.isProven() && parts < 1_000) {
+      known = proof.improve(known, 3_000);
       parts++;
     }
     assertThat(known.bound())
