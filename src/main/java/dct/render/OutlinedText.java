@@ -77,7 +77,17 @@ public record OutlinedText(String text, AffineTransform at, double width) {
   }
 
   /** The segments of a shape: a digit for each, and the points of all. */
-  private record Path(String kinds, double[] xs, double[] ys) {
+  private static final class Path {
+    private final String kinds;
+    private final double[] xs;
+    private final double[] ys;
+
+    private Path(String kinds, double[] xs, double[] ys) {
+      this.kinds = kinds;
+      this.xs = xs;
+      this.ys = ys;
+    }
+
     static Path of(Shape shape) {
       StringBuilder kinds = new StringBuilder();
       List<Double> xs = new ArrayList<>();

@@ -133,8 +133,8 @@ public final class PreferredImprover {
 
   /** Ascends as the cotangent descends. */
   private static long key(float cotangent, int triangle) {
-    long place = Integer.MAX_VALUE - Float.floatToRawIntBits(cotangent);
-    return place << Integer.SIZE | triangle;
+    int place = Integer.MAX_VALUE - Float.floatToRawIntBits(cotangent);
+    return (long) place << Integer.SIZE | triangle;
   }
 
   private float cotangent(int e) {
