@@ -18,8 +18,8 @@ import java.util.concurrent.ForkJoinTask;
  * The last stage for sites that are still open: rounds of a proof and, beside it on another core, a
  * search that begins anew.
  *
- * <p>The proof refutes sets of unmet vertices ({@link OddSetProof}); where that does not apply, and
- * after some rounds in vain, windows are tried. The searches have other random choices each time,
+ * <p>The proof refutes sets of unmet vertices ({@link OddSetProof}), if there are few enough sites;
+ * after some rounds in vain windows are tried. The searches have other random choices each time,
  * because the time that one needs varies widely: most are short, and some are longer, after M.
  * Luby, A. Sinclair and D. Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993). With a
  * limit of time the rounds go on until it strikes.
@@ -88,11 +88,9 @@ final class ProvingSearch {
     try {
       Stop stop = new Stop(clock);
       proof = OddSetProof.begin(search.triangulation(), goal, stop);
-      if (proof.isEmpty()) {
-        tryWindows();
-      }
       if (start.vertexCount() > MANY) {
         search.solveStrips(bound.value(), limits.effort());
+        tryWindows();
       }
       if (start.vertexCount() <= MANY || hasLimit) {
         searchAnew(stop);
@@ -105,14 +103,16 @@ final class ProvingSearch {
   private void searchAnew(Stop stop) {
     for (int k = 1; isOpen() && !clock.isCancelled() && (k <= ROUNDS || hasLimit); k++) {
       round(k, stop);
-      if (k == ROUNDS && proof.isPresent() && isOpen()) {
+      if (k == ROUNDS && start.vertexCount() <= MANY) {
         tryWindows();
       }
     }
   }
 
   private void tryWindows() {
-    bound = bound.max(SiteBounds.ofWindows(search.triangulation(), goal, clock));
+    if (isOpen()) {
+      bound = bound.max(SiteBounds.ofWindows(search.triangulation(), goal, clock));
+    }
   }
 
   private void round(int k, Stop stopProof) {
