@@ -107,7 +107,7 @@ class DrawToolTest {
 
   @Test
   void hintsSayHowToGoOnAndHowToEnd() {
-    assertThat(tool.hint(polygon)).contains("vertex v4").contains("Enter");
+    assertThat(tool.hint(polygon)).contains("add v4").contains("Enter");
     tool.moved(polygon, polygon.spot(101, 99));
     assertThat(tool.hint(polygon)).isEqualTo("Click v0 to end the drawing");
     assertThat(tool.hint(sites)).contains("site v3").contains("Enter");

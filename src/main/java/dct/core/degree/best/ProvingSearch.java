@@ -20,9 +20,10 @@ import java.util.concurrent.ForkJoinTask;
  *
  * <p>The proof refutes sets of unmet vertices ({@link OddSetProof}), if there are few enough sites;
  * after some rounds in vain windows are tried. The searches have other random choices each time,
- * because the time that one needs varies widely: most are short, and some are longer, after M.
- * Luby, A. Sinclair and D. Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993). With a
- * limit of time the rounds go on until it strikes.
+ * because the time that one needs varies widely, and every other one begins from another
+ * triangulation ({@link HullStart}). Most are short, and some are longer, after M. Luby, A.
+ * Sinclair and D. Zuckerman, <i>Optimal Speedup of Las Vegas Algorithms</i> (1993). With a limit of
+ * time the rounds go on until it strikes.
  *
  * <p>Proof and search of a round have a number of steps each, and know nothing of each other. A
  * search that attains the bound ends the proof, which could not have said more; a proof that there
@@ -45,6 +46,7 @@ final class ProvingSearch {
   private SiteSearch search; // the best one
   private LowerBound bound;
   private Optional<OddSetProof> proof = Optional.empty();
+  private Triangulation walked; // another start, or null while it is not needed
 
   /**
    * Gets ready.
@@ -141,14 +143,27 @@ final class ProvingSearch {
   /** Empty if it was stopped. */
   private Optional<SiteSearch> searchAgain(int k, Stop stop) {
     try {
-      SiteSearch other = searchFrom(start, SEEDS_APART * k, stop);
-      other.alignRectangles();
+      SiteSearch other = searchFrom(start(k, stop), SEEDS_APART * k, stop);
+      if (k % 2 != 0) {
+        other.alignRectangles();
+      }
       other.pairUp(bound.value(), PATIENCE);
       other.solveStrips(bound.value(), SHORT_EFFORT * luby(k) * limits.effort());
       return Optional.of(other);
     } catch (CancellationException e) {
       return Optional.empty();
     }
+  }
+
+  /** Where the search of a round begins. */
+  private Triangulation start(int k, Progress stop) {
+    if (k % 2 != 0) {
+      return start;
+    }
+    if (walked == null) {
+      walked = HullStart.of(start, goal, stop);
+    }
+    return walked;
   }
 
   private SiteSearch searchFrom(Triangulation triangulation, int number, Progress progress) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * One of the cheapest closed walks round the hull, triangle by triangle; see {@link HullWalkBound}.
@@ -92,6 +93,13 @@ final class HullRoute {
    */
   List<Triangle> triangles() {
     return triangles;
+  }
+
+  /** The edges of the triangles, two sites each, some more than once. */
+  int[] edges() {
+    return triangles.stream()
+        .flatMapToInt(t -> IntStream.of(t.a, t.b, t.b, t.c, t.c, t.a))
+        .toArray();
   }
 
   /** The sites whose wish the walk misses. */

@@ -91,6 +91,22 @@ public final class SiteBounds {
   }
 
   /**
+   * The edges of the triangles in a cheapest walk round the hull, two sites an edge, in the order
+   * of the walk; those at different hull sites may cross. Up to about a second.
+   *
+   * @param any any triangulation of the sites, with at least one triangle
+   * @return none if that is too much to compute
+   * @throws CancellationException if cancelled
+   */
+  public static int[] walkedEdges(Triangulation any, ParityGoal goal, Progress progress) {
+    check(any, goal);
+    return HullWalkBound.leastWalk(HullRing.of(any), goal, progress)
+        .flatMap(HullWalkBound.Least::route)
+        .map(HullRoute::edges)
+        .orElseGet(() -> new int[0]);
+  }
+
+  /**
    * The largest of the bounds that take linear time, without the hull walk: enough to see that a
    * triangulation which attains it is the best.
    *
