@@ -9,6 +9,9 @@ import com.google.gson.JsonParser;
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.degree.FlipResult;
+import dct.core.degree.LocalBound;
+import dct.core.degree.LowerBound;
+import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.SearchLimits;
@@ -21,6 +24,7 @@ import dct.problem.Instance;
 import dct.problem.Method;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
+import dct.problem.verify.Restoration;
 import dct.problem.verify.Verdict.Outcome;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -28,6 +32,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -148,6 +153,21 @@ class ResultJsonTest {
     assertThat(stored.edges().line(0)).isEqualTo(6);
     assertThat(PointFile.read(file, Progress.NONE).points()).isEqualTo(SQUARE);
     assertThat(PointFile.read(file, Progress.NONE).declared()).contains(Domain.POLYGON);
+  }
+
+  @Test
+  void the_windows_of_a_bound_come_back() {
+    Points points = Points.ofPairs(0, 0, 10, 0, 10, 9, 0, 8);
+    Instance sites = Instance.of(Domain.SITES, "four.txt", points, Progress.NONE);
+    Triangulation delaunay = Solution.of(sites, Method.DELAUNAY, Progress.NONE).triangulation();
+    BitSet two = new BitSet();
+    two.set(1, 3);
+    LowerBound bound = new LowerBound(2, "windows", List.of(new LocalBound(two, 1)));
+    Solution solution =
+        Solution.of(sites, Method.DELAUNAY, delaunay)
+            .optimized(Optimum.of(delaunay, ParityGoal.allEven(4), bound), SearchLimits.DEFAULT);
+    Claims claims = ResultJson.claims(solution);
+    assertThat(Restoration.of(claims, Progress.NONE).bound()).isEqualTo(bound);
   }
 
   @Test
