@@ -4,6 +4,7 @@ import dct.core.Decimals;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
 import dct.io.format.UnclearColumns;
+import dct.ui.command.TableKeys;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -81,6 +82,7 @@ final class ColumnChooser {
 
   private JTable table() {
     JTable table = new JTable(new Rows());
+    TableKeys.inDialog(table);
     table.setName("rows");
     table.getAccessibleContext().setAccessibleName("The first rows");
     table.setFocusable(false);
