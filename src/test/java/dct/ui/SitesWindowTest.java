@@ -7,6 +7,7 @@ import dct.core.degree.FlipResult;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
+import dct.core.degree.Preference;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
@@ -130,7 +131,9 @@ class SitesWindowTest extends WindowTest {
 
   private static Optimum optimum(ParityGoal goal) {
     Triangulation delaunay = delaunay(Points.ofPairs(SITES));
-    return BestTriangulation.of(delaunay, goal, SearchLimits.DEFAULT, Progress.NONE);
+    return BestTriangulation.of(
+            delaunay, goal, SearchLimits.DEFAULT, Preference.ANGLE, Progress.NONE)
+        .optimum();
   }
 
   @Test
