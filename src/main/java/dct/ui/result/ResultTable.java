@@ -34,7 +34,7 @@ public final class ResultTable extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final int MARGIN = 10;
   private static final Dimension SIZE = new Dimension(1100, 240);
-  private static final int LEAST = 240; // of the verdict, which wraps
+  private static final int LEAST = 180; // of the verdict, which wraps
   private static final int ROOM = 24; // in a cell, for the arrow of the sorting
 
   private final ResultRows rows = new ResultRows();
