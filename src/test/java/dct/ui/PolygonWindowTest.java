@@ -71,6 +71,7 @@ class PolygonWindowTest extends WindowTest {
         .first()
         .asString()
         .isEqualTo("Before: " + old.canvas().scene().counts().get(0));
+    robot.moveMouse(new Point(0, 0)); // an edge under it would be lit
     requireShown(flipped.canvas(), flips.after());
   }
 
