@@ -72,7 +72,17 @@ class PolygonWindowTest extends WindowTest {
         .asString()
         .isEqualTo("Before: " + old.canvas().scene().counts().get(0));
     robot.moveMouse(new Point(0, 0)); // an edge under it would be lit
+    bringToFront(flipped);
     requireShown(flipped.canvas(), flips.after());
+  }
+
+  private void bringToFront(ResultFrame view) {
+    onEventThread(
+        () -> {
+          view.toFront();
+          return null;
+        });
+    robot.waitForIdle();
   }
 
   @Test
