@@ -3,7 +3,6 @@ package dct.core.degree.bound;
 import dct.core.degree.LocalBound;
 import dct.core.degree.colour.OddSites;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -46,11 +45,7 @@ final class SlabWindows {
   }
 
   private LocalBound window(Run run) {
-    BitSet sites = new BitSet();
-    for (int i = run.from; i < run.end; i++) {
-      sites.set(order[i]);
-    }
-    return new LocalBound(sites, run.unmet);
+    return new LocalBound(WindowSites.sites(order, run.from, run.end), run.unmet);
   }
 
   private boolean holds(OddSites region, int from, int end, int unmet) {

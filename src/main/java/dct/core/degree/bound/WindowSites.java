@@ -62,7 +62,8 @@ final class WindowSites {
     return (long) sites * ring.points().size() <= MOST_TRIANGLES;
   }
 
-  private static BitSet sites(int[] order, int from, int end) {
+  /** The sites from one place of an order to before another. */
+  static BitSet sites(int[] order, int from, int end) {
     BitSet sites = new BitSet();
     for (int i = from; i < end; i++) {
       sites.set(order[i]);
