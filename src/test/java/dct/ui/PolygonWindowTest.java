@@ -75,6 +75,19 @@ class PolygonWindowTest extends WindowTest {
     DegreeCount after = DegreeCount.of(flips.after());
     assertThat(flipped.canvas().scene().counts().get(1))
         .contains("Even " + after.even() + " ", "Odd " + after.odd());
+    enlarge(flipped); // in a small frame one edge covers the middle of another
+    requireShown(flipped.canvas(), flips.after());
+  }
+
+  private void enlarge(ResultFrame view) {
+    onEventThread(
+        () -> {
+          view.setBounds(0, 0, 1200, 860);
+          view.validate();
+          return null;
+        });
+    await("a wide canvas", () -> onEventThread(() -> view.canvas().getWidth()) > 1000);
+    robot.waitForIdle();
   }
 
   @Test

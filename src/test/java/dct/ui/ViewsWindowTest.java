@@ -265,14 +265,19 @@ class ViewsWindowTest extends WindowTest {
     await("one less", () -> onEventThread(table::getRowCount) == 2);
   }
 
-  @Test
-  void aLongVerdictIsSeenInFullOnASmallScreen() {
+  /** The table of results, with two of them. */
+  private JTable tableOfTwo() {
     draw();
     perform("Most Even Vertices");
     perform("Convex Polygon Odd Triangulation");
     await("the frames", () -> results().size() == 2);
     perform("Table of Results");
-    JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+    return onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+  }
+
+  @Test
+  void aLongVerdictIsSeenInFullOnASmallScreen() {
+    JTable table = tableOfTwo();
     onEventThread(
         () -> {
           Window dialog = SwingUtilities.getWindowAncestor(table);
@@ -301,12 +306,7 @@ class ViewsWindowTest extends WindowTest {
 
   @Test
   void enterComparesTheTwoChosenRowsOfTheTable() {
-    draw();
-    perform("Most Even Vertices");
-    perform("Convex Polygon Odd Triangulation");
-    await("the frames", () -> results().size() == 2);
-    perform("Table of Results");
-    JTable table = onEventThread(() -> robot.finder().findByName("results", JTable.class, true));
+    JTable table = tableOfTwo();
     onEventThread(
         () -> {
           table.setRowSelectionInterval(0, 1);
