@@ -118,26 +118,34 @@ final class ProvingSearch {
   }
 
   private void round(int k, Stop stopProof) {
-    Optimum known = new Optimum(search.triangulation(), goal, search.unmet(), bound, false);
     Stop stopSearch = new Stop(clock);
     stopProof.isAsked = false;
-    long steps = (long) (luby(k) * Math.max(1, limits.effort()) * OddSetProof.STEPS / PARTS);
-    ForkJoinTask<Optimum> beside =
-        ForkJoinPool.commonPool().submit(() -> improve(known, steps, stopSearch));
+    Optional<ForkJoinTask<Optimum>> beside = proof.map(sets -> beside(sets, k, stopSearch));
     Optional<SiteSearch> other = searchAgain(k, stopSearch);
     stopProof.isAsked = other.isPresent() && other.get().unmet() <= bound.value();
-    Optimum better = beside.join();
+    Optional<Optimum> better = beside.map(ForkJoinTask::join);
     search = other.filter(found -> found.unmet() < search.unmet()).orElse(search);
+    better.ifPresent(this::take);
+  }
+
+  /** Begins a part of the proof on another core. */
+  private ForkJoinTask<Optimum> beside(OddSetProof sets, int k, Stop stopSearch) {
+    Optimum known = new Optimum(search.triangulation(), goal, search.unmet(), bound, false);
+    long steps = (long) (luby(k) * Math.max(1, limits.effort()) * OddSetProof.STEPS / PARTS);
+    return ForkJoinPool.commonPool()
+        .submit(
+            () -> {
+              Optimum better = sets.improve(known, steps);
+              stopSearch.isAsked = better.bound().value() >= known.unmet();
+              return better;
+            });
+  }
+
+  private void take(Optimum better) {
     bound = bound.max(better.bound());
     if (better.unmet() < search.unmet()) {
       search = searchFrom(better.triangulation(), 0, clock);
     }
-  }
-
-  private Optimum improve(Optimum known, long steps, Stop stopSearch) {
-    Optimum better = proof.map(sets -> sets.improve(known, steps)).orElse(known);
-    stopSearch.isAsked = better.bound().value() >= known.unmet();
-    return better;
   }
 
   /** Empty if it was stopped. */
