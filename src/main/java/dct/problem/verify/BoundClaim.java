@@ -1,7 +1,6 @@
 package dct.problem.verify;
 
 import dct.core.Progress;
-import dct.core.degree.ParityGoal;
 import dct.core.degree.best.BoundCheck;
 import dct.core.degree.bound.BoundaryColouring;
 import dct.problem.Instance;
@@ -69,7 +68,7 @@ final class BoundClaim {
   private Check checkWishes() {
     checkCounted(claims.required("oddLowerBound"), false);
     int n = stored.instance().size();
-    Instance instance = stored.instance().with(wishes(n));
+    Instance instance = stored.instance().with(claims.wishes(n));
     int unmet = 0;
     for (int v = 0; v < n; v++) {
       unmet += instance.wishes().wish(v).isGrantedBy(stored.graph().degree(v)) ? 0 : 1;
@@ -79,13 +78,6 @@ final class BoundClaim {
     long bound = claims.required("unsatisfiedLowerBound");
     checkOptimal(unmet == bound);
     return recomputed("unsatisfiedLowerBound", "unmet wishes", instance, unmet, bound);
-  }
-
-  private ParityGoal wishes(int n) {
-    return WishLetters.parse(claims.text("wishes").orElse(""))
-        .filter(goal -> goal.size() == n)
-        .orElseThrow(
-            () -> new FalseClaim("the field \"wishes\" is not " + n + " letters e, o or a"));
   }
 
   private void claim(String field, long truth) {

@@ -1,6 +1,7 @@
 package dct.problem.verify;
 
 import dct.core.degree.LocalBound;
+import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.problem.Post;
@@ -119,6 +120,21 @@ public final class Claims {
   /** The flips in order; only if there is a list of them. */
   public ClaimedFlips flips() {
     return flips;
+  }
+
+  /**
+   * What is said to have been wished of n vertices: all even where nothing is said.
+   *
+   * @throws FalseClaim if it is not a letter for each
+   */
+  ParityGoal wishes(int n) {
+    return text("wishes").isEmpty()
+        ? ParityGoal.allEven(n)
+        : text("wishes")
+            .flatMap(WishLetters::parse)
+            .filter(goal -> goal.size() == n)
+            .orElseThrow(
+                () -> new FalseClaim("the field \"wishes\" is not " + n + " letters e, o or a"));
   }
 
   /**

@@ -1,7 +1,6 @@
 package dct.problem.verify;
 
 import dct.core.Progress;
-import dct.core.degree.ParityGoal;
 import dct.core.degree.Preference;
 import dct.core.degree.Preferred;
 import dct.problem.Instance;
@@ -136,10 +135,6 @@ final class PreferenceClaim {
 
   private Instance instance() {
     Instance instance = stored.instance();
-    return claims
-        .text("wishes")
-        .flatMap(WishLetters::parse)
-        .<Instance>map(instance::with)
-        .orElseGet(() -> instance.with(ParityGoal.allEven(instance.size())));
+    return instance.with(claims.wishes(instance.size()));
   }
 }
