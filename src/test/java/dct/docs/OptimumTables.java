@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  */
 public final class OptimumTables {
   static final List<Integer> LATTICES = List.of(4, 5, 6, 7, 8, 9, 10, 12, 16, 20, 24, 32, 48, 64);
-  private static final int SEEDS = 5;
+  private static final int SEEDS = 10;
   private static final String HEAD =
       """
       | input | n | on the boundary | odd after Scan-Flip | odd, best found | bound, and why | ms |
@@ -51,11 +51,15 @@ public final class OptimumTables {
     Path points = Path.of(args[0], "points");
     Page page = Page.read(Path.of("docs", "optimum.md"));
     page.with("sites", tables.table(files(points), "points"));
-    page.with("open", "Not proven: " + String.join(", ", tables.open) + ".\n");
+    page.with("open", "Not proven: " + tables.listOfOpen() + ".\n");
     page.with("seeds", tables.seeds(points.resolve("tsplib_p654.txt")));
     page.with("lattices", tables.lattices(Files.createTempDirectory("dct"), LATTICES));
     page.with("polygons", tables.table(files(Path.of(args[0], "polygons")), "polygon"));
     page.write();
+  }
+
+  private String listOfOpen() {
+    return open.isEmpty() ? "none" : String.join(", ", open);
   }
 
   private static List<Path> files(Path folder) throws IOException {
