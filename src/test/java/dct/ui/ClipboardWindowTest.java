@@ -11,9 +11,13 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
 /** What other programs paste, and what is pasted from them. */
@@ -93,5 +97,57 @@ class ClipboardWindowTest extends WindowTest {
       type(KeyEvent.VK_V, KeyEvent.VK_CONTROL);
       assertThat(points()).as(command).isEqualTo(Points.ofPairs(SQUARE));
     }
+  }
+
+  @Test
+  void everyTableTellsHowManyRowsWereCopied() {
+    choose("Point Sites Based");
+    check("Draw Vertex");
+    clickAt(100, 100, 300, 60, 500, 120, 560, 300, 800, 200, 900, 400, 850, 600, 600, 650);
+    clickAt(450, 500, 200, 620, 80, 400);
+    push("Perform Flip");
+    copyRows("vertices", 1, 3);
+    awaitStatus("Copied 3 rows");
+    perform("Flips");
+    perform("Last Flip");
+    copyRows("flipList", 0, 0);
+    awaitStatus("Copied 1 row");
+    perform("Table of Results");
+    copyRows("results", 0, 1);
+    awaitStatus("Copied 2 rows");
+    perform("Commands and Keys");
+    copyRows("commands", 2, 2);
+    awaitStatus("Copied 1 row");
+  }
+
+  /** Selects rows of a table and copies them by the table's key. */
+  private void copyRows(String name, int first, int last) {
+    JTable table = onEventThread(() -> robot.finder().findByName(name, JTable.class, false));
+    onEventThread(
+        () -> {
+          table.setRowSelectionInterval(first, last);
+          return null;
+        });
+    settle();
+    onEventThread(
+        () -> {
+          KeyStroke key = KeyStroke.getKeyStroke(KeyEvent.VK_C, KeyEvent.CTRL_DOWN_MASK);
+          Object copy = table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).get(key);
+          table.getActionMap().get(copy).actionPerformed(new ActionEvent(table, 0, ""));
+          return null;
+        });
+  }
+
+  private void awaitStatus(String words) {
+    await(words, () -> words.equals(frame.label("status").text()));
+  }
+
+  private void perform(String command) {
+    onEventThread(
+        () -> {
+          window.commands().get(command).perform();
+          return null;
+        });
+    settle();
   }
 }

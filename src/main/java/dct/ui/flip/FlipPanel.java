@@ -78,6 +78,7 @@ public final class FlipPanel extends JPanel {
     table.setDefaultRenderer(Object.class, new DefaultTableCellRenderer());
     table.setFillsViewportHeight(true);
     TableKeys.leaveByTab(table);
+    TableKeys.tellOfCopies(table, desk::say);
     JScrollPane scroll = new JScrollPane(table);
     scroll.setPreferredSize(new Dimension(0, LIST_HEIGHT));
     return scroll;

@@ -9,6 +9,7 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Frame;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -32,14 +33,14 @@ public final class CommandList extends JDialog {
   private final JTextField field = new JTextField(24);
   private final CommandLinesModel model;
 
-  private CommandList(Frame owner, List<CommandLines> lines) {
+  private CommandList(Frame owner, List<CommandLines> lines, Consumer<String> said) {
     super(owner, "Commands and Keys");
     setName("commandList");
     model = new CommandLinesModel(lines);
     JPanel content = new JPanel(new BorderLayout(0, 8));
     content.setBorder(BorderFactory.createEmptyBorder(10, 10, 10, 10));
     content.add(search(), BorderLayout.NORTH);
-    JScrollPane scroll = new JScrollPane(table());
+    JScrollPane scroll = new JScrollPane(table(said));
     scroll.setPreferredSize(new Dimension(1020, 620));
     content.add(scroll, BorderLayout.CENTER);
     setContentPane(content);
@@ -48,9 +49,13 @@ public final class CommandList extends JDialog {
     Placement.over(this, owner);
   }
 
-  /** Shows the list beside the window. */
-  static void show(Frame owner, List<CommandLines> lines) {
-    new CommandList(owner, lines).setVisible(true);
+  /**
+   * Shows the list beside the window.
+   *
+   * @param said is told what was copied
+   */
+  static void show(Frame owner, List<CommandLines> lines, Consumer<String> said) {
+    new CommandList(owner, lines, said).setVisible(true);
   }
 
   private JComponent search() {
@@ -66,13 +71,14 @@ public final class CommandList extends JDialog {
     return line;
   }
 
-  private JTable table() {
+  private JTable table(Consumer<String> said) {
     JTable table = new JTable(model);
     table.setName("commands");
     table.getAccessibleContext().setAccessibleName("Commands and keys");
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setRowHeight(ROW);
     TableKeys.inDialog(table);
+    TableKeys.tellOfCopies(table, said);
     table.setDefaultRenderer(Object.class, new Cells());
     for (int column = 0; column < WIDTHS.length; column++) {
       table.getColumnModel().getColumn(column).setPreferredWidth(WIDTHS[column]);

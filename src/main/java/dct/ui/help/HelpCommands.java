@@ -29,7 +29,7 @@ public final class HelpCommands {
       CheckWork checks,
       CallCopy calls) {
     BooleanSupplier chosen = () -> workbench.domain().isPresent();
-    offerSearch(commands, MenuTable.MAIN, () -> window);
+    offerSearch(commands, MenuTable.MAIN, () -> window, workbench::say);
     commands
         .add("Check Input", "", "Says whether this can be triangulated, and why not", checks::check)
         .enabledWhen(chosen);
@@ -49,9 +49,10 @@ public final class HelpCommands {
    *
    * @param menus those of the commands
    * @param window says which one shows them now
+   * @param said is told what was copied of the list
    */
   public static void offerSearch(
-      CommandRegistry commands, List<Plan> menus, Supplier<Frame> window) {
+      CommandRegistry commands, List<Plan> menus, Supplier<Frame> window, Consumer<String> said) {
     commands.add(
         LIST,
         "F1",
@@ -61,7 +62,7 @@ public final class HelpCommands {
                 LIST,
                 commands,
                 window.get(),
-                over -> CommandList.show(over, CommandLines.of(menus, commands))));
+                over -> CommandList.show(over, CommandLines.of(menus, commands), said)));
     commands.add(
         FIND,
         "ctrl shift A",

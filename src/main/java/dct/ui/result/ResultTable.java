@@ -45,6 +45,7 @@ public final class ResultTable extends JDialog {
       button("Copy", "Copies the chosen rows, or all, as text with tabs for a spreadsheet");
   private final transient Consumer<Result> bringForward;
   private final transient BiConsumer<Result, Result> comparer;
+  private final transient Consumer<String> said;
   private boolean showing; // rows are being replaced: nobody has chosen anything
 
   /**
@@ -52,12 +53,17 @@ public final class ResultTable extends JDialog {
    *
    * @param bringForward shows the view of a result
    * @param comparer compares two results
+   * @param said is told what was copied
    */
   public ResultTable(
-      JFrame owner, Consumer<Result> bringForward, BiConsumer<Result, Result> comparer) {
+      JFrame owner,
+      Consumer<Result> bringForward,
+      BiConsumer<Result, Result> comparer,
+      Consumer<String> said) {
     super(owner, "Table of Results", false);
     this.bringForward = bringForward;
     this.comparer = comparer;
+    this.said = said;
     setName("resultTable");
     prepareTable();
     listen();
@@ -203,6 +209,7 @@ public final class ResultTable extends JDialog {
             ? chosen
             : IntStream.range(0, table.getRowCount()).map(table::convertRowIndexToModel).toArray();
     getToolkit().getSystemClipboard().setContents(new StringSelection(rows.lines(copied)), null);
+    said.accept(TableKeys.copied(copied.length));
   }
 
   /** Cells that say in full what does not fit. */

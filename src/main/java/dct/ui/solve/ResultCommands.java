@@ -28,7 +28,7 @@ public final class ResultCommands {
    * Offers the commands of a view.
    *
    * @param jobs write pictures in the background
-   * @param said is told what was written
+   * @param said is told what was written or copied
    */
   static void offer(ResultView view, Jobs jobs, Consumer<String> said) {
     view.commands()
@@ -42,7 +42,7 @@ public final class ResultCommands {
         new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
     explainer.offer(view.commands());
     HelpCommands.offerSearch(
-        view.commands(), menus(view), () -> (Frame) SwingUtilities.getWindowAncestor(view));
+        view.commands(), menus(view), () -> (Frame) SwingUtilities.getWindowAncestor(view), said);
     view.addListener(explainer::refresh);
   }
 

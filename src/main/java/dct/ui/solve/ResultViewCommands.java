@@ -191,7 +191,7 @@ public final class ResultViewCommands {
 
   private void showTable() {
     if (table == null) {
-      table = new ResultTable(owner, this::bringForward, this::compare);
+      table = new ResultTable(owner, this::bringForward, this::compare, workbench::say);
       Placement.centre(table); // no larger than the screen
     }
     table.show(all());

@@ -29,7 +29,13 @@ final class RowsTable extends JTable {
   private final transient Consumer<StudyRow> open;
   private final RowsModel model;
 
-  RowsTable(RowsModel model, Consumer<StudyRow> open) {
+  /**
+   * A table of these rows.
+   *
+   * @param open shows the pictures of a row
+   * @param said is told what was copied
+   */
+  RowsTable(RowsModel model, Consumer<StudyRow> open, Consumer<String> said) {
     super(model);
     this.model = model;
     this.open = open;
@@ -43,6 +49,7 @@ final class RowsTable extends JTable {
     setDefaultRenderer(Number.class, plain);
     setToolTipText("A double-click opens the pictures of a row");
     fitColumns();
+    TableKeys.tellOfCopies(this, said);
     listen();
   }
 

@@ -81,7 +81,8 @@ public final class StudyDialog extends JDialog {
     JPanel content = new JPanel(new BorderLayout(MARGIN, MARGIN));
     content.setBorder(BorderFactory.createEmptyBorder(MARGIN, MARGIN, MARGIN, MARGIN));
     content.add(options, BorderLayout.NORTH);
-    JScrollPane table = new JScrollPane(new RowsTable(rows, this::openPictures));
+    JScrollPane table =
+        new JScrollPane(new RowsTable(rows, this::openPictures, progress::setString));
     JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, table, chartSide());
     split.setResizeWeight(0.4);
     table.setPreferredSize(TABLE);

@@ -72,6 +72,7 @@ final class VertexTable extends JTable {
     setDefaultEditor(String.class, new CoordinateEditor(rows, context::say));
     setDefaultEditor(Wish.class, new DefaultCellEditor(wishes()));
     setTransferHandler(new Copies());
+    TableKeys.tellOfCopies(this, () -> chosen().length, context::say);
     setDropTarget(null); // what is dropped is for the window
     addKeyListener(new NumberKeys(this));
     getSelectionModel()
