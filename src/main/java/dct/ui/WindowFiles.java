@@ -2,7 +2,6 @@ package dct.ui;
 
 import dct.core.triangulate.Domain;
 import dct.ui.document.Document;
-import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.file.ChangedFiles;
 import dct.ui.file.Closing;
@@ -108,12 +107,9 @@ final class WindowFiles {
   /** Shows a drawing that was not saved when the program was killed; it still is not. */
   void recover(Orphan orphan) {
     Document document = orphan.document();
-    Document empty = Document.empty(document.domain());
     workbench.choose(document.domain());
     workbench.chooseEdit();
-    Editor editor = workbench.editor(document.domain());
-    editor.load(empty, orphan.name(), orphan.origin());
-    editor.perform(new Edit.Replace("Recover Drawing", empty, document));
+    workbench.editor(document.domain()).recover(document, orphan.name(), orphan.origin());
     drawing.showOpened(false);
     workbench.say("Recovered " + orphan.name() + ", which is not saved yet");
   }

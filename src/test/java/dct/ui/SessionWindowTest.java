@@ -95,6 +95,9 @@ class SessionWindowTest extends WindowTest {
     MainWindow recovered = windows().stream().filter(w -> w != window).findFirst().orElseThrow();
     assertThat(onEventThread(() -> recovered.workbench().document().points())).isEqualTo(TRIANGLE);
     assertThat(recovered.getTitle()).startsWith("*New polygon");
+    assertThat(onEventThread(() -> recovered.commands().get("Undo").isEnabled()))
+        .as("there is nothing before what was recovered")
+        .isFalse();
     next.journals().await();
     assertThat(left.resolve("a.journal")).doesNotExist();
     try (Stream<Path> files = Files.list(left)) {

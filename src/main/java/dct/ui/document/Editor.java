@@ -111,11 +111,20 @@ public final class Editor {
 
   /** Begins with this document, its history empty. */
   public void load(Document document, String newName, Optional<Origin> from) {
-    history = new History(document);
+    begin(new History(document), newName, from);
+  }
+
+  /** Begins with this document, which no file holds any more or yet, its history empty. */
+  public void recover(Document document, String newName, Optional<Origin> from) {
+    begin(History.unsaved(document), newName, from);
+  }
+
+  private void begin(History anew, String newName, Optional<Origin> from) {
+    history = anew;
     name = newName;
     origin = from;
     provisional = null;
-    shown = Analysis.pending(document, growing);
+    shown = Analysis.pending(document(), growing);
     live.forget();
     analyse();
   }

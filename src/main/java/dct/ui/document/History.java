@@ -18,7 +18,7 @@ public final class History {
   private final Deque<Step> done = new ArrayDeque<>(); // the last first
   private final Deque<Step> undone = new ArrayDeque<>();
   private Document present;
-  private Points saved;
+  private Optional<Points> saved; // nothing if no file holds any state
   private ParityGoal savedWishes; // they have a file of their own
   private Optional<Result> savedResult;
   private Optional<Document> whole; // what the file holds, if it keeps everything
@@ -35,10 +35,17 @@ public final class History {
   public History(Document start) {
     this.start = start;
     present = start;
-    saved = start.points();
-    savedWishes = start.wishes();
-    savedResult = start.result();
-    whole = Optional.of(start);
+    markWholeSaved(start);
+  }
+
+  /** A history that begins with this document, which no file holds. */
+  static History unsaved(Document start) {
+    History history = new History(start);
+    history.saved = Optional.empty();
+    history.savedWishes = ParityGoal.allEven(start.size());
+    history.savedResult = Optional.empty();
+    history.whole = Optional.empty();
+    return history;
   }
 
   /** The document as it is now. */
@@ -131,7 +138,7 @@ public final class History {
   /** Says of which state the points were saved. */
   public void markSaved(Document document) {
     isFileLost = false;
-    saved = document.points();
+    saved = Optional.of(document.points());
     whole = Optional.empty();
   }
 
@@ -165,7 +172,7 @@ public final class History {
 
   /** Whether the points differ from the saved ones. */
   public boolean isChanged() {
-    return !present.points().equals(saved);
+    return !saved.equals(Optional.of(present.points()));
   }
 
   /** Whether there are wishes that would be lost with the document. */

@@ -155,4 +155,19 @@ class HistoryTest {
     history.undo();
     assertThat(history.isChanged()).isTrue();
   }
+
+  @Test
+  void whatNoFileHoldsIsUnsavedUntilItIsSavedAndIsWhereUndoEnds() {
+    History recovered =
+        History.unsaved(new Document(Domain.SITES, Points.ofPairs(1, 1), ParityGoal.allOdd(1)));
+    assertThat(recovered.isUnsaved()).isTrue();
+    assertThat(recovered.hasUnsavedWishes()).isTrue();
+    assertThat(recovered.undoLabel()).isEmpty();
+    recovered.perform(Edit.delete(recovered.present(), 0));
+    assertThat(recovered.isUnsaved()).as("also without any point").isTrue();
+    recovered.undo();
+    assertThat(recovered.isUnsaved()).isTrue();
+    recovered.markWholeSaved(recovered.present());
+    assertThat(recovered.isUnsaved()).isFalse();
+  }
 }
