@@ -16,6 +16,7 @@ import dct.ui.result.ViewArea;
 import dct.ui.session.Settings;
 import dct.ui.shell.CallCopy;
 import dct.ui.solve.FlipListWork;
+import dct.ui.solve.FrameHost;
 import dct.ui.solve.LiveCommands;
 import dct.ui.solve.PieceWork;
 import dct.ui.solve.PreferenceChoice;
@@ -59,7 +60,7 @@ final class WindowResults {
     area = new ViewArea(canvas, inSight::setShared);
     frames = new ResultFrames(workbench, window, canvas, links, area, files);
     studies = new StudyWork(window, canvas, links, frames::open);
-    explainer = new Explainer(canvas, workbench.jobs(), workbench::solution);
+    explainer = new Explainer(canvas, workbench.jobs(), workbench::solution, FrameHost::shown);
     bound = new BoundNote(canvas, workbench.jobs(), workbench::showsBound, workbench::inCanvas);
   }
 

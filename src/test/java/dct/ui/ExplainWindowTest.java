@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.core.degree.Mark;
 import dct.core.geometry.Points;
+import dct.ui.dialog.Placement;
 import dct.ui.menu.CommandWindow;
 import dct.ui.solve.ResultFrame;
 import java.awt.Dialog;
@@ -127,6 +128,35 @@ class ExplainWindowTest extends WindowTest {
     assertThat(text("verdict")).contains("✓").doesNotContain("✗").contains("read back");
     perform(frame, "Why?");
     assertThat(onEventThread(() -> frame.canvas().marks())).isNotEmpty();
+  }
+
+  @Test
+  void theTextCoversNoFrameOfAResult() {
+    draw("Polygon Based");
+    ResultFrame left = pushForResult("Monotone Polygon Triangulation");
+    perform(window, "Convex Polygon Odd Triangulation");
+    await("the frames", () -> results().size() == 2);
+    ResultFrame right = (ResultFrame) results().get(results().get(0) == left ? 1 : 0);
+    onEventThread(
+        () -> {
+          Rectangle screen = Placement.usable(window);
+          int half = (screen.width - 120) / 2; // a strip is left that is too narrow for any text
+          left.setBounds(screen.x, screen.y, half, screen.height);
+          right.setBounds(screen.x + half, screen.y, half, screen.height);
+          return null;
+        });
+    settle();
+    perform(right, "Why?");
+    text("why");
+    Dialog why = dialogs("why").get(0);
+    await(
+        "nothing is covered",
+        () ->
+            onEventThread(
+                () ->
+                    !why.getBounds().intersects(left.getBounds())
+                        && !why.getBounds().intersects(right.getBounds())
+                        && !left.getBounds().intersects(right.getBounds())));
   }
 
   private void draw(String application) {

@@ -25,6 +25,7 @@ public final class Explainer {
   private final CanvasPanel canvas;
   private final Jobs jobs;
   private final Supplier<Optional<Solution>> shown;
+  private final Supplier<List<? extends Window>> frames;
   private TextDialog explanation; // null if there is none
   private Solution explained;
 
@@ -32,11 +33,17 @@ public final class Explainer {
    * An explainer of a canvas.
    *
    * @param shown what it shows; empty if that is no result
+   * @param frames which no text may cover; they are moved if there is no other room
    */
-  public Explainer(CanvasPanel canvas, Jobs jobs, Supplier<Optional<Solution>> shown) {
+  public Explainer(
+      CanvasPanel canvas,
+      Jobs jobs,
+      Supplier<Optional<Solution>> shown,
+      Supplier<List<? extends Window>> frames) {
     this.canvas = canvas;
     this.jobs = jobs;
     this.shown = shown;
+    this.frames = frames;
   }
 
   /** Offers the commands. */
@@ -98,7 +105,7 @@ public final class Explainer {
           }
         });
     canvas.setMarks(why.marks());
-    dialog.showBeside(canvas);
+    dialog.showBeside(canvas, frames.get());
     refresh();
   }
 
@@ -137,7 +144,7 @@ public final class Explainer {
               "verdict",
               VerdictText.heading(verdict),
               VerdictText.of(verdict))
-          .showBeside(canvas);
+          .showBeside(canvas, frames.get());
     }
   }
 }

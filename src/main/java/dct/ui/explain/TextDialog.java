@@ -75,16 +75,29 @@ final class TextDialog extends JDialog {
     return row;
   }
 
-  /** Shows it beside its window, or else where it covers no vertex of a picture in it. */
-  void showBeside(CanvasPanel picture) {
+  /**
+   * Shows it beside its window, or else where it covers no vertex of a picture in it.
+   *
+   * @param others frames, which make room for it where it would cover a part of one
+   */
+  void showBeside(CanvasPanel picture, List<? extends Window> others) {
+    Rectangle screen = Placement.usable(getOwner());
+    List<? extends Window> frames =
+        others.stream().filter(frame -> frame.getBounds().intersects(screen)).toList();
+    List<Rectangle> taken = frames.stream().map(Window::getBounds).toList();
     Rectangle on = new Rectangle(picture.getLocationOnScreen(), picture.getSize());
-    setBounds(
+    TextPlace place =
         TextPlace.of(
             List.of(getSize(), UPRIGHT, NARROW, LOW),
-            Placement.usable(getOwner()),
-            getOwner().getBounds(),
-            on,
-            part -> vertices(picture, on, part)));
+            NARROW,
+            new TextPlace.Desk(screen, getOwner().getBounds(), on, taken),
+            part -> vertices(picture, on, part));
+    for (int i = 0; i < frames.size(); i++) {
+      if (!place.frames().get(i).equals(taken.get(i))) {
+        frames.get(i).setBounds(place.frames().get(i));
+      }
+    }
+    setBounds(place.text());
     setVisible(true);
     SwingUtilities.invokeLater(this::toFront);
   }

@@ -17,6 +17,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -93,6 +94,15 @@ public final class FrameHost implements ViewHost {
       place(frame, views.size());
       frame.setVisible(true);
     }
+  }
+
+  /** The frames of all windows that are on the screen and can be moved there. */
+  public static List<ResultFrame> shown() {
+    return Arrays.stream(Window.getWindows())
+        .filter(ResultFrame.class::isInstance)
+        .map(ResultFrame.class::cast)
+        .filter(frame -> frame.isShowing() && frame.getExtendedState() == Frame.NORMAL)
+        .toList();
   }
 
   private List<Obstacle> obstacles(Window without) {

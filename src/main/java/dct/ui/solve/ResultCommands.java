@@ -15,8 +15,10 @@ import dct.ui.menu.MenuTable;
 import dct.ui.menu.ViewCommands;
 import dct.ui.result.ResultView;
 import java.awt.Frame;
+import java.awt.Window;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 
 /** The commands of a view of a result. */
@@ -29,8 +31,10 @@ public final class ResultCommands {
    *
    * @param jobs write pictures in the background
    * @param said is told what was written or copied
+   * @param frames which no explanation may cover
    */
-  static void offer(ResultView view, Jobs jobs, Consumer<String> said) {
+  static void offer(
+      ResultView view, Jobs jobs, Consumer<String> said, Supplier<List<? extends Window>> frames) {
     view.commands()
         .add("Export Picture", "ctrl E", FileCommands.pictures(), () -> export(view, jobs, said));
     view.commands()
@@ -39,7 +43,7 @@ public final class ResultCommands {
     view.commands().add("Close", "ctrl W", "Closes this view", view::close);
     ViewCommands.offer(view.commands(), view.canvas());
     Explainer explainer =
-        new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution));
+        new Explainer(view.canvas(), jobs, () -> view.result().map(Result::solution), frames);
     explainer.offer(view.commands());
     HelpCommands.offerSearch(
         view.commands(), menus(view), () -> (Frame) SwingUtilities.getWindowAncestor(view), said);

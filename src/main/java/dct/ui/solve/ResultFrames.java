@@ -190,7 +190,7 @@ public final class ResultFrames {
   private void prepare(ResultView view) {
     ResultFlips flipping = new ResultFlips(view, workbench, () -> isOfHistory(view), files::folder);
     flips.put(view, flipping);
-    ResultCommands.offer(view, workbench.jobs(), flipping::say);
+    ResultCommands.offer(view, workbench.jobs(), flipping::say, FrameHost::shown);
     ResultCommands.offerSaving(view, files, flipping::say);
     PictureCopy.offer(view.commands(), view.canvas(), workbench.jobs(), flipping::say);
     more.accept(view.commands());

@@ -49,13 +49,47 @@ class TextPlaceTest {
   @Test
   void itCoversAsFewAsItCan() {
     List<Point> many = List.of(new Point(760, 400), new Point(10, 400), new Point(11, 400));
-    Rectangle place =
-        TextPlace.of(SIZES.subList(0, 1), SCREEN, SCREEN, PICTURE, r -> count(r, many));
+    Rectangle place = place(SIZES.subList(0, 1), SCREEN, List.of(), many).text();
     assertThat(many.stream().filter(place::contains)).hasSizeLessThan(2);
   }
 
+  @Test
+  void itCoversNoFrameOfAResultWhereThereIsRoomBesideIt() {
+    Rectangle frame = new Rectangle(0, 100, 604, 530);
+    TextPlace place = place(List.of(new Dimension(420, 440)), SCREEN, List.of(frame), List.of());
+    assertThat(place.text().intersects(frame)).isFalse();
+    assertThat(place.frames()).containsExactly(frame);
+    Rectangle middle = new Rectangle(280, 0, 600, 768);
+    TextPlace left = place(SIZES, SCREEN, List.of(middle), List.of(new Point(100, 300)));
+    assertThat(left.text())
+        .as("rather over a vertex than over a frame")
+        .matches(text -> text.x + text.width <= 280);
+    assertThat(left.frames()).containsExactly(middle);
+  }
+
+  @Test
+  void framesAreMovedOrGetNarrowerWhereTheyLeaveNoRoom() {
+    Rectangle wide = new Rectangle(200, 50, 700, 600);
+    TextPlace moved = place(SIZES, wide, List.of(wide), List.of());
+    assertThat(moved.text()).isEqualTo(new Rectangle(750, 50, 274, 600));
+    assertThat(moved.frames()).containsExactly(new Rectangle(50, 50, 700, 600));
+
+    Rectangle first = new Rectangle(0, 50, 412, 600);
+    Rectangle second = new Rectangle(412, 50, 412, 700);
+    TextPlace narrower = place(SIZES, second, List.of(first, second), List.of());
+    assertThat(narrower.text()).isEqualTo(new Rectangle(750, 50, 274, 600));
+    assertThat(narrower.frames())
+        .containsExactly(new Rectangle(0, 50, 375, 600), new Rectangle(375, 50, 375, 700));
+  }
+
   private static Rectangle place(Rectangle window, List<Point> vertices) {
-    return TextPlace.of(SIZES, SCREEN, window, PICTURE, r -> count(r, vertices));
+    return place(SIZES, window, List.of(), vertices).text();
+  }
+
+  private static TextPlace place(
+      List<Dimension> sizes, Rectangle window, List<Rectangle> frames, List<Point> vertices) {
+    TextPlace.Desk desk = new TextPlace.Desk(SCREEN, window, PICTURE, frames);
+    return TextPlace.of(sizes, SIZES.get(1), desk, r -> count(r, vertices));
   }
 
   private static int count(Rectangle part, List<Point> vertices) {
