@@ -6,10 +6,13 @@ import dct.core.Progress;
 import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.PointFile;
+import dct.ui.dialog.Placement;
 import java.awt.Component;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.Timer;
 import org.assertj.swing.exception.ComponentLookupException;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.BeforeEach;
@@ -134,6 +137,30 @@ class ChangedFilesWindowTest extends WindowTest {
     awaitBar("window.");
     push("Reload");
     await("what the file holds", () -> points().size() == 5);
+  }
+
+  @Test
+  void theBarMovesNoWindowThatHasJustBeenOpened() {
+    Component bar = robot.finder().findByName(window, "changeBar", false);
+    awaitSettled(false, bar); // and the settling that began when it was opened
+    Rectangle before = onEventThread(window::getBounds);
+    awaitSettled(true, bar);
+    assertThat(bar.getHeight()).isPositive();
+    Rectangle after = onEventThread(window::getBounds);
+    assertThat(after).isEqualTo(before);
+  }
+
+  /** Lets the window settle as after its opening; the bar comes before it has. */
+  private void awaitSettled(boolean shown, Component bar) {
+    Timer settling =
+        onEventThread(
+            () -> {
+              Timer begun = Placement.settle(window, canvas());
+              bar.setVisible(shown);
+              return begun;
+            });
+    await("the window is settled", () -> !settling.isRunning());
+    robot.waitForIdle();
   }
 
   @Test

@@ -164,18 +164,26 @@ public final class Placement {
 
   /**
    * Sees to it that a component has its preferred size in the window that was just opened: the
-   * widths of the frame's borders become known only some time after.
+   * widths of the frame's borders become known only some time after. What the window comes to hold
+   * meanwhile, as a line above the canvas, takes its room from the component: the window does not
+   * move away from under the mouse.
+   *
+   * @return what does so; it stops by itself
    */
-  public static void settle(JFrame window, Component component) {
-    if (isPlaced(window)) {
-      return;
-    }
+  public static Timer settle(JFrame window, Component component) {
     Timer timer = new Timer(SETTLE_MILLIS, null);
+    if (isPlaced(window)) {
+      return timer;
+    }
+    Dimension opened = window.getContentPane().getPreferredSize();
     int[] left = {SETTLE_TIMES};
     timer.addActionListener(
         e -> {
           boolean free =
-              window.getExtendedState() == Frame.NORMAL && fits(window) && !isPlaced(window);
+              window.getExtendedState() == Frame.NORMAL
+                  && fits(window)
+                  && !isPlaced(window)
+                  && window.getContentPane().getPreferredSize().equals(opened);
           if (free && !component.getSize().equals(component.getPreferredSize())) {
             centre(window);
           }
@@ -185,6 +193,7 @@ public final class Placement {
         });
     timer.setInitialDelay(0);
     timer.start();
+    return timer;
   }
 
   private static boolean isPlaced(JFrame window) {
