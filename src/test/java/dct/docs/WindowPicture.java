@@ -25,15 +25,16 @@ import javax.swing.SwingUtilities;
 /**
  * Takes the pictures of the README. docs/window.png: the sample for Figures 3.9 and 3.10,
  * triangulated by Partitioning-AQT, and after Perform Flip beside it. docs/sites.png: the sample
- * for Figure 3.12 with its optimum explained, in the dark look. docs/flips.gif: Scan-Flip on that
- * sample, flip by flip. Needs a display of at least 1280 × 800 pixels with a window manager, and
- * nothing else on it.
+ * for Figure 3.12 with its optimum explained beside it, in the dark look. docs/flips.gif: Scan-Flip
+ * on that sample, flip by flip. Needs a display of at least 1280 × 800 pixels with a window
+ * manager, and nothing else on it.
  */
 public final class WindowPicture {
   private static final Rectangle MAIN = new Rectangle(0, 0, 1276, 796);
   private static final Rectangle BEFORE = new Rectangle(30, 120, 476, 640);
   private static final Rectangle AFTER = new Rectangle(506, 120, 476, 640);
-  private static final Rectangle WHY = new Rectangle(520, 400, 420, 330);
+  private static final Rectangle NARROW = new Rectangle(0, 0, 900, 640); // Why? is beside it
+  private static final int WHY_WIDTH = 376;
   private static final int SETTLE_MILLIS = 1500;
   private static final int FRAME_MILLIS = 900;
 
@@ -80,17 +81,23 @@ public final class WindowPicture {
       frames.add(capture(window.canvas()));
     }
     AnimatedGif.write(frames, FRAME_MILLIS, new File("docs", "flips.gif"));
+    takeReason(window);
+  }
+
+  private static void takeReason(MainWindow window) throws Exception {
+    SwingUtilities.invokeAndWait(() -> window.setBounds(NARROW));
     perform(window, "Dark Look");
     perform(window, "Legend");
     perform(window, "Most Even Vertices");
+    perform(window, "Fit");
     perform(window, "Why?");
     Window why =
         Arrays.stream(Window.getWindows())
             .filter(each -> "why".equals(each.getName()) && each.isShowing())
             .findFirst()
             .orElseThrow();
-    place(why, WHY, window);
-    ImageIO.write(capture(window), "png", new File("docs", "sites.png"));
+    place(why, new Rectangle(window.getWidth(), 0, WHY_WIDTH, window.getHeight()), window);
+    ImageIO.write(capture(window, why), "png", new File("docs", "sites.png"));
   }
 
   private static MainWindow open(String sample) throws Exception {
@@ -107,10 +114,15 @@ public final class WindowPicture {
     return window;
   }
 
-  /** What the screen shows of a window or a part of it; a window manager may have moved it. */
-  private static BufferedImage capture(Component component) throws Exception {
+  /** What the screen shows of windows or a part of one; a window manager may have moved them. */
+  private static BufferedImage capture(Component... components) throws Exception {
     Rectangle seen =
-        onEventThread(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
+        onEventThread(
+            () ->
+                Arrays.stream(components)
+                    .map(each -> new Rectangle(each.getLocationOnScreen(), each.getSize()))
+                    .reduce(Rectangle::union)
+                    .orElseThrow());
     return new Robot().createScreenCapture(seen);
   }
 
