@@ -533,14 +533,11 @@ public final class Scene {
   private static EdgeLayer defectLayer(List<Defect> defects) {
     EdgeLayer layer = new EdgeLayer(DEFECT, 2 * defects.size());
     for (Defect defect : defects) {
-      int n = defect.count();
-      switch (defect.kind()) {
-        case CROSSING, OVERLAP -> {
-          layer.add(defect.first(), (defect.first() + 1) % n);
-          layer.add(defect.second(), (defect.second() + 1) % n);
-        }
-        case TOUCH -> layer.add(defect.second(), (defect.second() + 1) % n);
-        case TOO_FEW, COLLINEAR, FEW_SITES, SITES_ON_ONE_LINE, DUPLICATE, SPIKE -> {}
+      if (defect.firstEnd() != defect.first()) {
+        layer.add(defect.first(), defect.firstEnd());
+      }
+      if (defect.secondEnd() != defect.second()) {
+        layer.add(defect.second(), defect.secondEnd());
       }
     }
     return layer;

@@ -9,8 +9,9 @@ import java.util.Arrays;
  *
  * <p>Vertices, half-edges and faces are ints. Half-edge {@code e} runs from {@code origin(e)} to
  * {@code target(e)} with {@code face(e)} on its left; its twin is {@code e ^ 1}, its edge {@code e
- * >> 1}. Face 0 is the outer face. Around an inner face {@code next} runs counter-clockwise; {@link
- * #rotate} goes to the next half-edge counter-clockwise around the origin.
+ * >> 1}. Face 0 is the outer face, all that lies outside: where there are holes it has a cycle for
+ * each besides the one round everything. Around an inner face {@code next} runs counter-clockwise;
+ * {@link #rotate} goes to the next half-edge counter-clockwise around the origin.
  *
  * <p>The operators come in inverse pairs: {@code joinFaces(splitFace(a, b)) == a}; {@code
  * removeVertex(insertVertex(e, v)) == e}; {@code joinEdges(splitEdge(e, v)) == e}; {@code flip}
@@ -98,14 +99,25 @@ public final class Dcel {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Dcel of(int vertices, HalfEdges links, int outer, Progress progress) {
-    int start = links.closeGaps(outer);
+    return of(vertices, links, new int[] {outer}, progress);
+  }
+
+  /**
+   * The same with several cycles that count as the outer face: that round everything, and those of
+   * the holes.
+   *
+   * @param outer a half-edge of each of these cycles, the one round everything first
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Dcel of(int vertices, HalfEdges links, int[] outer, Progress progress) {
+    int[] starts = links.closeGaps(outer);
     Dcel dcel = new Dcel(vertices, links);
     for (int e = 0; e < 2 * links.bound(); e++) {
       Progress.check(progress, e);
       dcel.outEdge[dcel.origin[e]] = e;
       dcel.degree[dcel.origin[e]]++;
     }
-    dcel.findFaces(links.bound() == 0 ? NONE : start, progress);
+    dcel.findFaces(links.bound() == 0 ? new int[0] : starts, progress);
     return dcel;
   }
 
@@ -113,14 +125,14 @@ public final class Dcel {
    * Numbers the faces by their smallest half-edges. Those of triangles are chosen without a branch,
    * since every third guess of the processor would be wrong; other faces are walked.
    */
-  private void findFaces(int outer, Progress progress) {
+  private void findFaces(int[] outer, Progress progress) {
     int components = 1;
     int bound = links.bound();
     faceEdge = new int[2 + components + bound - Math.min(bound, degree.length)];
-    faceEdge[OUTER] = outer;
+    faceEdge[OUTER] = outer.length == 0 ? NONE : outer[0];
     int count = 1;
-    if (outer != NONE) {
-      relabel(outer, NONE);
+    for (int e : outer) {
+      relabel(e, NONE);
     }
     for (int e = 0; e < 2 * bound; e++) {
       Progress.check(progress, e);
@@ -141,7 +153,10 @@ public final class Dcel {
       }
     }
     faces.take(count);
-    for (int f = outer == NONE ? 1 : 0; f < count; f++) {
+    for (int e : outer) {
+      relabel(e, OUTER);
+    }
+    for (int f = 1; f < count; f++) {
       Progress.check(progress, f);
       relabel(faceEdge[f], f);
     }
@@ -274,6 +289,32 @@ public final class Dcel {
       e = rotate(e);
     }
     return NONE;
+  }
+
+  /**
+   * A half-edge of each cycle of the outer face, the one round everything first, then by their
+   * smallest half-edges; in linear time.
+   */
+  public int[] outerCycles() {
+    int[] starts = new int[4];
+    int count = 0;
+    boolean[] seen = new boolean[2 * links.bound()];
+    for (int k = -1; k < seen.length; k++) {
+      int start = k < 0 ? faceEdge[OUTER] : k;
+      if (start == NONE || face[start] != OUTER || seen[start] || !links.has(start >> 1)) {
+        continue;
+      }
+      if (count == starts.length) {
+        starts = Arrays.copyOf(starts, 2 * count);
+      }
+      starts[count++] = start;
+      int e = start;
+      do {
+        seen[e] = true;
+        e = next[e];
+      } while (e != start);
+    }
+    return Arrays.copyOf(starts, count);
   }
 
   /** Whether the edge borders the outer face. */

@@ -1,5 +1,6 @@
 package dct.core.dcel;
 
+import java.util.Arrays;
 import java.util.function.IntConsumer;
 
 /** The laws of a {@link Dcel}, checked in an order in which each may rely on those before it. */
@@ -87,7 +88,7 @@ public final class DcelValidator {
     return length;
   }
 
-  /** The half-edges labelled with a face are one cycle of {@code next}. */
+  /** The half-edges labelled with a face are one cycle of {@code next}; of the outer face, some. */
   private void checkFaces() {
     int[] labelled = new int[dcel.faceBound()];
     forEachHalfEdge(e -> labelled[dcel.face[e]]++);
@@ -95,9 +96,14 @@ public final class DcelValidator {
       if (dcel.hasFace(f) && dcel.edgeCount() > 0) {
         int start = dcel.faceEdge[f];
         require(isUsed(start) && dcel.face[start] == f, "face(faceEdge(f)) = f", "face", f);
-        require(cycleLength(start) == labelled[f], "one cycle around f", "face", f);
+        int length = f == Dcel.OUTER ? outerLength() : cycleLength(start);
+        require(length == labelled[f], "one cycle around f", "face", f);
       }
     }
+  }
+
+  private int outerLength() {
+    return Arrays.stream(dcel.outerCycles()).map(this::cycleLength).sum();
   }
 
   private int cycleLength(int start) {
@@ -110,7 +116,7 @@ public final class DcelValidator {
     return length;
   }
 
-  /** For a connected subdivision, vertices − edges + faces = 2. */
+  /** For a connected subdivision, vertices − edges + faces = 2; every cycle outside is a face. */
   private void checkEuler() {
     int vertices = 0;
     for (int out : dcel.outEdge) {
@@ -118,7 +124,8 @@ public final class DcelValidator {
         vertices++;
       }
     }
-    int sum = vertices - dcel.edgeCount() + dcel.faceCount();
+    int holes = Math.max(0, dcel.outerCycles().length - 1);
+    int sum = vertices - dcel.edgeCount() + dcel.faceCount() + holes;
     require(vertices == 0 || sum == 2, "vertices − edges + faces = 2", "sum", sum);
   }
 

@@ -335,17 +335,19 @@ public final class HalfEdges {
   /**
    * Gives the numbers of the edges that are not in use to the last ones, and forgets every list.
    *
-   * @return the number that half-edge {@code watched} has then
+   * @return the numbers that the half-edges {@code watched} have then
    */
-  int closeGaps(int watched) {
+  int[] closeGaps(int... watched) {
     int end = 2 * edges;
-    int moved = watched;
+    int[] moved = watched.clone();
     for (int e = 0; e < end; e += 2) {
       while (e < end && next[e] == NONE) {
         end -= 2;
         if (e < end && next[end] != NONE) {
           rename(end, e);
-          moved = (moved & ~1) == end ? e | (moved & 1) : moved;
+          for (int k = 0; k < moved.length; k++) {
+            moved[k] = (moved[k] & ~1) == end ? e | (moved[k] & 1) : moved[k];
+          }
         }
       }
     }

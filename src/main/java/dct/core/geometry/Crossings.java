@@ -32,7 +32,7 @@ public final class Crossings {
         progress.checkCancelled();
         for (int b = a + 2; b < n; b++) {
           if (areCrossing(points, a, after(points, a), b, after(points, b))) {
-            crossings.add(defect(points, a, b));
+            crossings.add(defect(points, a, after(points, a), b, after(points, b)));
           }
         }
       }
@@ -50,15 +50,13 @@ public final class Crossings {
         && points.orient(c, d, a) * points.orient(c, d, b) < 0;
   }
 
-  /** The crossing of the edges that leave vertices e and f, which do cross. */
-  static Defect defect(Points points, int e, int f) {
-    int b = after(points, e);
-    int d = after(points, f);
-    BigDecimal top = cross(points, e, f, f, d);
-    BigDecimal bottom = cross(points, e, b, f, d);
-    double x = between(points.x(e), points.x(b), top, bottom);
-    double y = between(points.y(e), points.y(b), top, bottom);
-    return new Defect(Defect.Kind.CROSSING, e, f, x, y, points.size());
+  /** The crossing of the edges ab and cd, which do cross. */
+  static Defect defect(Points points, int a, int b, int c, int d) {
+    BigDecimal top = cross(points, a, c, c, d);
+    BigDecimal bottom = cross(points, a, b, c, d);
+    double x = between(points.x(a), points.x(b), top, bottom);
+    double y = between(points.y(a), points.y(b), top, bottom);
+    return new Defect(Defect.Kind.CROSSING, a, b, c, d, x, y, points.size());
   }
 
   /** The cross product of the vectors from a to b and from c to d. */

@@ -7,18 +7,21 @@ import java.math.RoundingMode;
 import java.util.function.DoubleFunction;
 
 /**
- * Why points are not a simple polygon, or not usable sites: the first defect found.
+ * Why points are not a simple polygon, rings not a region, or points not usable sites: the first
+ * defect found.
  *
  * @param kind what is wrong
- * @param first a vertex; for {@link Kind#CROSSING} and {@link Kind#OVERLAP} the edge from this
- *     vertex to the next
- * @param second the other vertex, or the other edge, as above; equal to {@code first} where the
- *     defect has no second part
+ * @param first a vertex, or one end of an edge
+ * @param firstEnd the other end of that edge; {@code first} where it is a vertex
+ * @param second the other vertex, or one end of the other edge; {@code first} where the defect has
+ *     no second part
+ * @param secondEnd the other end of that edge; {@code second} where it is a vertex
  * @param x where to look: the crossing point (rounded), or the vertex
  * @param y the y-coordinate of that place
- * @param count the number of vertices, so that the edge after the last one can be named
+ * @param count the number of vertices
  */
-public record Defect(Kind kind, int first, int second, double x, double y, int count) {
+public record Defect(
+    Kind kind, int first, int firstEnd, int second, int secondEnd, double x, double y, int count) {
   private static final MathContext NINE_DIGITS = new MathContext(9, RoundingMode.HALF_EVEN);
 
   /** The ways in which points can fail. */
@@ -40,7 +43,33 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
     /** Two edges cross in their interiors. */
     CROSSING,
     /** Two edges share a whole segment. */
-    OVERLAP
+    OVERLAP,
+    /** A hole has fewer than three vertices. */
+    SMALL_HOLE,
+    /** A hole lies outside of the outer ring, or inside another hole. */
+    STRAY_HOLE,
+    /** A site lies outside of the region. */
+    STRAY_SITE,
+    /** A fixed edge runs outside of the region. */
+    STRAY_EDGE
+  }
+
+  /**
+   * Of a closed chain through all vertices in their order, whose edges are known by their first
+   * vertices.
+   */
+  public Defect(Kind kind, int first, int second, double x, double y, int count) {
+    this(
+        kind,
+        first,
+        kind == Kind.CROSSING || kind == Kind.OVERLAP ? (first + 1) % count : first,
+        second,
+        kind == Kind.CROSSING || kind == Kind.OVERLAP || kind == Kind.TOUCH
+            ? (second + 1) % count
+            : second,
+        x,
+        y,
+        count);
   }
 
   /** What keeps these sites from having a triangle, {@link Kind#FEW_SITES} or on one line. */
@@ -54,7 +83,7 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
     String at =
         switch (kind) {
           case TOUCH -> " at " + place(Decimals::format);
-          case SPIKE -> ", " + place(Decimals::format);
+          case SPIKE, STRAY_HOLE, STRAY_SITE -> ", " + place(Decimals::format);
           case CROSSING, OVERLAP -> " at " + place(Defect::computed);
           default -> "";
         };
@@ -71,9 +100,16 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
       case DUPLICATE ->
           "vertices v" + first + " and v" + second + " are both at " + place(Decimals::format);
       case SPIKE -> "the boundary turns back along itself at vertex v" + first;
-      case TOUCH -> "vertex v" + first + " touches edge " + edge(second);
-      case CROSSING -> "edges " + edge(first) + " and " + edge(second) + " cross";
-      case OVERLAP -> "edges " + edge(first) + " and " + edge(second) + " overlap";
+      case TOUCH -> "vertex v" + first + " touches edge " + edge(second, secondEnd);
+      case CROSSING -> edges() + " cross";
+      case OVERLAP -> edges() + " overlap";
+      case SMALL_HOLE -> "the hole at vertex v" + first + " has fewer than three vertices";
+      case STRAY_HOLE ->
+          first == second
+              ? "the hole with vertex v" + first + " lies outside of the outer ring"
+              : "the hole with vertex v" + first + " lies in the one with vertex v" + second;
+      case STRAY_SITE -> "site v" + first + " lies outside of the region";
+      case STRAY_EDGE -> "the fixed edge " + edge(first, firstEnd) + " leaves the region";
     };
   }
 
@@ -86,7 +122,15 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
       case SPIKE -> "move or remove that vertex";
       case TOUCH -> "move it off the edge";
       case CROSSING, OVERLAP -> "move a vertex of one of them";
+      case SMALL_HOLE -> "remove it, or add vertices";
+      case STRAY_HOLE -> "move it into the region, or make it a region of its own";
+      case STRAY_SITE -> "move it inside, or remove it";
+      case STRAY_EDGE -> "remove it, or join other vertices";
     };
+  }
+
+  private String edges() {
+    return "edges " + edge(first, firstEnd) + " and " + edge(second, secondEnd);
   }
 
   private String place(DoubleFunction<String> format) {
@@ -98,7 +142,7 @@ public record Defect(Kind kind, int first, int second, double x, double y, int c
     return Decimals.format(new BigDecimal(value).round(NINE_DIGITS).doubleValue());
   }
 
-  private String edge(int v) {
-    return "v" + v + "–v" + (v + 1) % count;
+  private static String edge(int u, int v) {
+    return "v" + u + "–v" + v;
   }
 }

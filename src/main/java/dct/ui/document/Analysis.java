@@ -121,7 +121,14 @@ public final class Analysis {
       case TOUCH -> defect.second() == last;
       case SPIKE -> defect.first() == 0 || defect.first() == last;
       case TOO_FEW, COLLINEAR -> true; // there will be more
-      case FEW_SITES, SITES_ON_ONE_LINE, DUPLICATE -> false;
+      case FEW_SITES,
+          SITES_ON_ONE_LINE,
+          DUPLICATE,
+          SMALL_HOLE,
+          STRAY_HOLE,
+          STRAY_SITE,
+          STRAY_EDGE ->
+          false;
     };
   }
 

@@ -64,7 +64,7 @@ public final class CheckWork {
     String fault = "This cannot be triangulated: " + defect.message() + ".";
     return switch (defect.kind()) {
       case TOO_FEW, COLLINEAR, FEW_SITES, SITES_ON_ONE_LINE -> new Report(fault, Optional.empty());
-      case CROSSING, OVERLAP, TOUCH, DUPLICATE, SPIKE -> {
+      default -> {
         int found = Crossings.of(document.points(), progress).size();
         String more = found > 1 ? " " + found + " such places are marked on the canvas." : "";
         yield new Report(fault + more, Optional.of(defect));

@@ -98,7 +98,7 @@ class SimplicityCheckTest {
           case TOUCH -> oracle.liesInside(i, j) && isAt(p, i, d);
           case CROSSING -> oracle.edgesCross(i, j);
           case OVERLAP -> oracle.edgesOverlap(i, j);
-          case FEW_SITES, SITES_ON_ONE_LINE -> false; // not of polygons
+          default -> false; // not of polygons
         };
     assertThat(isTrue).as("%s, %s", d, what).isTrue();
     if (d.kind() == Kind.CROSSING) {
