@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 
 /**
  * The naming convention of the thesis: {@code NAME_polygonbased.txt} for polygons, {@code
@@ -26,7 +25,7 @@ public final class FileNames {
   /** What a file holds by its name, whatever its extension; nothing if the name does not say. */
   public static Optional<Domain> domain(Path file) {
     String stem = stem(name(file)).toLowerCase(Locale.ROOT);
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       if (stem.endsWith(suffix(domain))) {
         return Optional.of(domain);
       }
@@ -88,7 +87,7 @@ public final class FileNames {
       return extended;
     }
     List<Path> suffixed =
-        Stream.of(Domain.values())
+        Domain.applications().stream()
             .map(d -> sibling(typed, suffix(d) + EXTENSION))
             .filter(Files::isRegularFile)
             .toList();

@@ -10,11 +10,15 @@ import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.best.BestTriangulation;
 import dct.core.degree.best.BoundCheck;
+import dct.core.degree.best.RegionOptimizer;
 import dct.core.degree.bound.PolygonBounds;
+import dct.core.degree.bound.RegionBounds;
 import dct.core.degree.bound.SiteBounds;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
@@ -23,8 +27,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is to be triangulated: a simple polygon, or sites that are not all on one line; with the
- * parity wished of each vertex and a name for people. Immutable.
+ * What is to be triangulated: a simple polygon, sites that are not all on one line, or a region
+ * with holes, sites and fixed edges inside; with the parity wished of each vertex and a name for
+ * people. Immutable.
  *
  * <p>Whether points are usable is decided in {@link #of} and nowhere else, so that mouse, file,
  * clipboard and generator are judged alike.
@@ -36,7 +41,7 @@ public sealed interface Instance {
    *
    * @param name what people call them: a file's name, or "-" for standard input
    * @param points the vertices in boundary order, or the sites; exact duplicates among sites are
-   *     merged into the first
+   *     merged into the first. A region has one ring then
    * @throws InvalidGeometryException if the polygon is not simple, or the sites are fewer than
    *     three or all on one line
    * @throws java.util.concurrent.CancellationException if cancelled
@@ -48,7 +53,19 @@ public sealed interface Instance {
         Sites sites = usable(points, progress);
         yield new OfSites(name, sites, ParityGoal.allEven(sites.size()));
       }
+      case REGION -> of(name, Rings.ofChain(points), progress);
     };
+  }
+
+  /**
+   * Judges rings, in O(n log n).
+   *
+   * @throws InvalidGeometryException if they bound no region
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  static OfRegion of(String name, Rings rings, Progress progress) {
+    return new OfRegion(
+        name, Region.of(rings, progress), ParityGoal.allEven(rings.points().size()));
   }
 
   /** A polygon that is known to be simple, every vertex wished even. */
@@ -70,7 +87,7 @@ public sealed interface Instance {
   /** What people call it. */
   String name();
 
-  /** What is triangulated: the inside of a polygon, or the hull of sites. */
+  /** What is triangulated: the inside of a polygon or a region, or the hull of sites. */
   Domain domain();
 
   /** The vertices, with the numbers that triangulations use; merged duplicates have none. */
@@ -197,6 +214,76 @@ public sealed interface Instance {
     @Override
     public BoundCheck check(int claimed, List<LocalBound> windows, Progress progress) {
       return BoundCheck.of(polygon, wishes, claimed, progress);
+    }
+  }
+
+  /** A region: an outer ring, and holes, sites and fixed edges inside, as far as there are any. */
+  record OfRegion(String name, Region region, ParityGoal wishes) implements Instance {
+    @Override
+    public Domain domain() {
+      return Domain.REGION;
+    }
+
+    @Override
+    public Points points() {
+      return region.points();
+    }
+
+    @Override
+    public Instance with(ParityGoal others) {
+      return new OfRegion(name, region, others);
+    }
+
+    @Override
+    public Instance named(String other) {
+      return new OfRegion(other, region, wishes);
+    }
+
+    @Override
+    public int merged() {
+      return 0;
+    }
+
+    @Override
+    public String description() {
+      return "a region with "
+          + size()
+          + " vertices, "
+          + counted(region.holes(), "hole")
+          + ", "
+          + counted(region.sites(), "site")
+          + " and "
+          + counted(region.rings().fixedCount(), "fixed edge");
+    }
+
+    private static String counted(int count, String what) {
+      return count + " " + what + (count == 1 ? "" : "s");
+    }
+
+    @Override
+    public Optimum best(Triangulation start, SearchLimits limits, Progress progress) {
+      return RegionOptimizer.optimize(region, start, wishes, limits, progress);
+    }
+
+    @Override
+    public Preferred best(
+        Triangulation start, SearchLimits limits, Preference preference, Progress progress) {
+      return RegionOptimizer.optimize(region, start, wishes, limits, preference, progress);
+    }
+
+    @Override
+    public Optional<Preferred> mostPreferred(Preference preference, Progress progress) {
+      return Optional.empty();
+    }
+
+    @Override
+    public LowerBound quickBound(Triangulation any) {
+      return RegionBounds.of(region, wishes);
+    }
+
+    @Override
+    public BoundCheck check(int claimed, List<LocalBound> windows, Progress progress) {
+      return BoundCheck.of(region, wishes, claimed, progress);
     }
   }
 

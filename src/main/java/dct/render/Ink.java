@@ -24,6 +24,8 @@ public enum Ink {
   PARTITION(0x0098B8, 0x35DCF5, 0x1C6E8C),
   /** Diagonals made by a flip: magenta. */
   FLIPPED(0xE812D2, 0xFF6BF0, 0x8C1178),
+  /** Fixed edges inside a region: ochre. */
+  FIXED(0x8A6100, 0xE3B341, 0x5C4100),
   /** Edges and places that keep a polygon from being simple: red. */
   DEFECT(0xD8000C, 0xFF4D4F, 0xB00010),
   /** Rings round vertices that do not have the parity wished: orange. */

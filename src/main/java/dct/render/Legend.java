@@ -75,6 +75,7 @@ final class Legend {
       case DIAGONAL -> polygon ? "Diagonal" : "Edge";
       case PARTITION -> "Partition";
       case FLIPPED -> "Flipped";
+      case FIXED -> "Fixed";
       case DEFECT -> "Not simple";
       case FIRST -> "Only in A";
       case SECOND -> "Only in B";

@@ -35,13 +35,19 @@ import java.util.stream.IntStream;
  */
 public final class Scene {
   private static final List<EdgeKind> BACK_TO_FRONT =
-      List.of(EdgeKind.DIAGONAL, EdgeKind.PARTITION, EdgeKind.FLIPPED, EdgeKind.BOUNDARY);
+      List.of(
+          EdgeKind.DIAGONAL,
+          EdgeKind.PARTITION,
+          EdgeKind.FLIPPED,
+          EdgeKind.FIXED,
+          EdgeKind.BOUNDARY);
   private static final Map<EdgeKind, Stroke> STROKES =
       new EnumMap<>(
           Map.of(
               EdgeKind.DIAGONAL, Stroke.solid(Ink.DIAGONAL, 1.2),
               EdgeKind.PARTITION, Stroke.solid(Ink.PARTITION, 1.8),
               EdgeKind.FLIPPED, Stroke.solid(Ink.FLIPPED, 2),
+              EdgeKind.FIXED, Stroke.solid(Ink.FIXED, 1.8),
               EdgeKind.BOUNDARY, Stroke.solid(Ink.BOUNDARY, 1.6)));
   private static final int DIGITS = 6; // of a coordinate beside its vertex
   private static final int FEW = 3_000; // vertices are sorted within a frame of the screen
@@ -180,7 +186,7 @@ public final class Scene {
   public static Scene of(Partition partition) {
     Dcel dcel = partition.dcel();
     EdgeLayer cuts = new EdgeLayer(STROKES.get(EdgeKind.PARTITION), dcel.edgeCount());
-    EdgeLayer outline = new EdgeLayer(OUTLINE, partition.polygon().size());
+    EdgeLayer outline = new EdgeLayer(OUTLINE, partition.region().size());
     for (int edge = 0; edge < dcel.edgeBound(); edge++) {
       if (dcel.hasEdge(edge)) {
         EdgeLayer layer = dcel.isBoundary(edge) ? outline : cuts;
@@ -189,7 +195,7 @@ public final class Scene {
     }
     List<String> counts = List.of("Pieces " + partition.pieces());
     return new Scene(
-        partition.polygon().points(), true, List.of(cuts, outline), null, counts, List.of());
+        partition.region().points(), true, List.of(cuts, outline), null, counts, List.of());
   }
 
   /** Points that nothing connects yet. */

@@ -72,7 +72,7 @@ final class EastPanel extends JPanel {
     top.add(applications(commands));
     toolBoxes = tools(commands);
     top.add(toolBoxes);
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       JComponent column = buttons(BUTTONS.get(domain).stream().map(commands::get).toList());
       buttons.put(domain, column);
       top.add(column);
@@ -83,8 +83,8 @@ final class EastPanel extends JPanel {
   }
 
   private static JComponent applications(CommandRegistry commands) {
-    JComponent column = column(Domain.values().length);
-    for (Domain domain : Domain.values()) {
+    JComponent column = column(Domain.applications().size());
+    for (Domain domain : Domain.applications()) {
       Command command = commands.get(ModeCommands.name(domain));
       column.add(named(new JRadioButton(command), command));
     }

@@ -127,7 +127,7 @@ final class Invitation extends JPanel {
 
   private JButton samples(Card card) {
     JPopupMenu menu = new JPopupMenu();
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       if (card == Card.START || card == Card.of(Optional.of(domain))) {
         if (menu.getComponentCount() > 0) {
           menu.addSeparator();

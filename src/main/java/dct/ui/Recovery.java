@@ -47,7 +47,7 @@ final class Recovery {
   private static String contents(Document document) {
     int n = document.size();
     return switch (document.domain()) {
-      case POLYGON -> "a polygon with " + n + (n == 1 ? " vertex" : " vertices");
+      case POLYGON, REGION -> "a polygon with " + n + (n == 1 ? " vertex" : " vertices");
       case SITES -> n + (n == 1 ? " site" : " sites");
     };
   }

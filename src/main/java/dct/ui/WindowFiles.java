@@ -15,7 +15,6 @@ import dct.ui.session.Session;
 import dct.ui.workbench.Workbench;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
@@ -53,7 +52,7 @@ final class WindowFiles {
     forFile = new WindowForFile(() -> isIdleAndEmpty() && !host.isLast(window), close);
     changed = new ChangedFiles(window, workbench, files::save, session.lane());
     journals =
-        Stream.of(Domain.values()).map(domain -> journal(session.journals(), domain)).toList();
+        Domain.applications().stream().map(domain -> journal(session.journals(), domain)).toList();
     window.setTransferHandler(new FileDrop(this::openDropped));
   }
 

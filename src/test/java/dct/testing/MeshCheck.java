@@ -1,14 +1,19 @@
 package dct.testing;
 
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.EdgeKind;
 import java.math.BigInteger;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 
 /**
- * Whether a mesh triangulates the region inside a ring, without a look at the code under test.
+ * Whether a mesh triangulates the region inside a ring and outside of holes, without a look at the
+ * code under test.
  *
  * <p>Triangles that are all counter-clockwise, whose sides are each boundary edge once and each
  * diagonal once in either direction, cover every point as often as the boundary winds round it:
@@ -17,13 +22,37 @@ import java.util.function.Supplier;
  */
 final class MeshCheck {
   private final Mesh mesh;
-  private final int[] ring; // the boundary, counter-clockwise
+  private final List<int[]> rings; // the boundary, with the inside on the left
+  private final int length; // of all rings
   private final int inner; // the number of vertices that are not on it
 
-  private MeshCheck(Mesh mesh, int[] ring) {
+  private MeshCheck(Mesh mesh, List<int[]> rings) {
     this.mesh = mesh;
-    this.ring = ring;
-    this.inner = mesh.vertexCount() - ring.length;
+    this.rings = rings;
+    this.length = rings.stream().mapToInt(ring -> ring.length).sum();
+    this.inner = mesh.vertexCount() - length;
+  }
+
+  /** The first thing that is wrong, or nothing; the fixed edges are all there, too. */
+  static Optional<String> ofRegion(Mesh mesh, Rings rings) {
+    ExactArea area = new ExactArea(rings.points());
+    List<int[]> turned = new ArrayList<>();
+    for (int r = 0; r < rings.count(); r++) {
+      int[] ring = rings.ring(r);
+      boolean left = area.ofRing(ring).signum() > 0 == (r == 0);
+      int[] reversed = new int[ring.length];
+      Arrays.setAll(reversed, k -> ring[ring.length - 1 - k]);
+      turned.add(left ? ring : reversed);
+    }
+    MeshCheck check = new MeshCheck(mesh, turned);
+    return firstProblem(check, rings.points())
+        .or(() -> firstProblemOf(() -> check.checkFixed(rings)));
+  }
+
+  private void checkFixed(Rings rings) {
+    long[] expected = new long[rings.fixedCount()];
+    Arrays.setAll(expected, j -> undirected(rings.fixedFrom(j), rings.fixedTo(j)));
+    requireSame(sorted(expected), edges(mesh, EdgeKind.FIXED), "the fixed edges");
   }
 
   /** The first thing that is wrong, or nothing. */
@@ -33,15 +62,15 @@ final class MeshCheck {
     if (new ExactArea(polygon).ofRing(ring).signum() < 0) {
       Arrays.setAll(ring, i -> ring.length - 1 - i);
     }
-    return firstProblem(new MeshCheck(mesh, ring), polygon);
+    return firstProblem(new MeshCheck(mesh, List.of(ring)), polygon);
   }
 
   /** The first thing that is wrong, or nothing. */
   static Optional<String> ofSites(Mesh mesh, Points sites) {
     int[] boundary = Hull.boundary(sites);
-    MeshCheck check = new MeshCheck(mesh, boundary);
+    MeshCheck check = new MeshCheck(mesh, List.of(boundary));
     return Hull.isStraight(sites, boundary)
-        ? firstProblemOf(() -> check.checkPath(sites))
+        ? firstProblemOf(() -> check.checkPath(sites, boundary))
         : firstProblem(check, sites);
   }
 
@@ -68,7 +97,7 @@ final class MeshCheck {
     }
   }
 
-  private void checkPath(Points sites) {
+  private void checkPath(Points sites, int[] ring) {
     checkPoints(sites);
     require(mesh.triangleCount() == 0, () -> mesh.triangleCount() + " triangles on a line");
     require(mesh.edgeCount() == Math.max(0, ring.length - 1), () -> mesh.edgeCount() + " edges");
@@ -84,13 +113,14 @@ final class MeshCheck {
 
   private void checkCounts() {
     int n = mesh.vertexCount();
-    int faces = mesh.triangleCount() + 1;
+    int faces = mesh.triangleCount() + rings.size();
     int euler = n - mesh.edgeCount() + faces;
     require(euler == 2, () -> "V − E + F = " + euler);
-    int triangles = ring.length - 2 + 2 * inner;
+    int holes = rings.size() - 1;
+    int triangles = length - 2 + 2 * inner + 2 * holes;
     requireCount(triangles, mesh.triangleCount(), "triangles");
-    int diagonals = ring.length - 3 + 3 * inner;
-    requireCount(diagonals, mesh.edgeCount() - ring.length, "diagonals");
+    int diagonals = length - 3 + 3 * inner + 3 * holes;
+    requireCount(diagonals, mesh.edgeCount() - length, "diagonals");
   }
 
   private void checkEdges() {
@@ -103,8 +133,13 @@ final class MeshCheck {
   }
 
   private void checkBoundary() {
-    long[] expected = new long[ring.length];
-    Arrays.setAll(expected, k -> undirected(ring[k], ring[(k + 1) % ring.length]));
+    long[] expected =
+        rings.stream()
+            .flatMapToLong(
+                ring ->
+                    IntStream.range(0, ring.length)
+                        .mapToLong(k -> undirected(ring[k], ring[(k + 1) % ring.length])))
+            .toArray();
     requireSame(sorted(expected), edges(mesh, EdgeKind.BOUNDARY), "the boundary");
   }
 
@@ -140,7 +175,8 @@ final class MeshCheck {
     for (int k = 0; k < mesh.triangles.length; k += 3) {
       sum = sum.add(area.ofRing(Arrays.copyOfRange(mesh.triangles, k, k + 3)));
     }
-    require(sum.equals(area.ofRing(ring)), () -> "the areas of the triangles do not add up");
+    BigInteger whole = rings.stream().map(area::ofRing).reduce(BigInteger.ZERO, BigInteger::add);
+    require(sum.equals(whole), () -> "the areas of the triangles do not add up");
   }
 
   private void checkSides() {
@@ -154,10 +190,12 @@ final class MeshCheck {
 
   /** Each boundary edge with the inside on its left, and each other edge in both directions. */
   private long[] expectedSides() {
-    long[] expected = new long[2 * mesh.edgeCount() - ring.length];
+    long[] expected = new long[2 * mesh.edgeCount() - length];
     int k = 0;
-    for (int i = 0; i < ring.length; i++) {
-      expected[k++] = directed(ring[i], ring[(i + 1) % ring.length]);
+    for (int[] ring : rings) {
+      for (int i = 0; i < ring.length; i++) {
+        expected[k++] = directed(ring[i], ring[(i + 1) % ring.length]);
+      }
     }
     for (int edge = 0; edge < mesh.edgeCount(); edge++) {
       if (mesh.kinds[edge] != EdgeKind.BOUNDARY) {

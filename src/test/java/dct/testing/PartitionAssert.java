@@ -127,14 +127,14 @@ public final class PartitionAssert extends AbstractAssert<PartitionAssert, Parti
   }
 
   private boolean isBelow(int v, int w) {
-    Points p = actual.polygon().points();
+    Points p = actual.region().points();
     return p.y(v) < p.y(w) || (p.y(v) == p.y(w) && p.x(v) < p.x(w));
   }
 
   /** Each piece turns strictly left at every vertex, once round. */
   public PartitionAssert hasStrictlyConvexPieces() {
     return eachRing(
-        ring -> summits(ring) == 1 && isStrictlyConvex(actual.polygon().points(), ring),
+        ring -> summits(ring) == 1 && isStrictlyConvex(actual.region().points(), ring),
         "is not strictly convex");
   }
 

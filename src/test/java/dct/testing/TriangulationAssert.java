@@ -1,6 +1,7 @@
 package dct.testing;
 
 import dct.core.dcel.DcelValidator;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Domain;
@@ -41,6 +42,12 @@ public final class TriangulationAssert extends AbstractAssert<TriangulationAsser
   public TriangulationAssert isTriangulationOf(Sites sites) {
     requireDomain(Domain.SITES);
     return refuse(MeshCheck.ofSites(Mesh.of(actual), sites.points()));
+  }
+
+  /** The triangles tile the region exactly, with all its fixed edges. */
+  public TriangulationAssert isTriangulationOf(Region region) {
+    requireDomain(region.isPolygon() ? Domain.POLYGON : Domain.REGION);
+    return refuse(MeshCheck.ofRegion(Mesh.of(actual), region.rings()));
   }
 
   private void requireDomain(Domain domain) {

@@ -411,6 +411,7 @@ abstract class WindowTest {
             case DIAGONAL -> Ink.DIAGONAL;
             case PARTITION -> Ink.PARTITION;
             case FLIPPED -> Ink.FLIPPED;
+            case FIXED -> Ink.FIXED;
           };
       requireInk(canvas, ink, (points.x(a) + points.x(b)) / 2, (points.y(a) + points.y(b)) / 2);
     }

@@ -265,7 +265,7 @@ public final class HalfEdges {
   }
 
   /** The even half-edge of an edge that is not in use: one given back, or else one more. */
-  int take() {
+  public int take() {
     if (free.first != NONE) {
       freeCount--;
       return take(free);

@@ -2,8 +2,8 @@ package dct.core.degree;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
-import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.HertelMehlhorn;
 import dct.core.triangulate.MonotoneTriangulation;
@@ -25,8 +25,17 @@ public final class ConvexPieces {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Partition of(SimplePolygon polygon, Progress progress) {
+    return of(Region.of(polygon), progress);
+  }
+
+  /**
+   * The convex pieces of a region, merged from its monotone triangulation.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Partition of(Region region, Progress progress) {
     return HertelMehlhorn.partition(
-        polygon, MonotoneTriangulation.triangulate(polygon, progress), progress);
+        region, MonotoneTriangulation.triangulate(region, progress), progress);
   }
 
   /** Whether every angle of the polygon is less than 180°. */
@@ -46,7 +55,7 @@ public final class ConvexPieces {
     if (!isConvex(polygon)) {
       throw new IllegalArgumentException("a vertex has an angle of 180° or more");
     }
-    return new Partition(polygon, Dcel.cycle(polygon.walk()));
+    return new Partition(Region.of(polygon), Dcel.cycle(polygon.walk()));
   }
 
   /** Cuts every piece; the diagonals between pieces become {@link EdgeKind#PARTITION}. */
@@ -58,9 +67,8 @@ public final class ConvexPieces {
       Progress.tick(progress, f - 1, pieces, "Triangulating the convex pieces");
       cutFace(dcel, f, cutter, progress);
     }
-    return new Triangulation(
-        Domain.POLYGON,
-        partition.polygon().points(),
+    return Triangulation.of(
+        partition.region(),
         dcel,
         edge -> edge < partitionEdges ? EdgeKind.PARTITION : EdgeKind.DIAGONAL);
   }

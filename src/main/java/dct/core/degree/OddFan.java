@@ -2,6 +2,7 @@ package dct.core.degree;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Triangulation;
 
@@ -16,8 +17,8 @@ import dct.core.triangulate.Triangulation;
  * most n−2 are odd. The number of odd vertices of a graph is even (handshake), so for odd n at most
  * n−3 are.
  *
- * <p>Takes any simple polygon; v₀ is the lowest-numbered vertex of each piece. O(n log n) for the
- * pieces, O(n) for the fans.
+ * <p>Takes any simple polygon or region; v₀ is the lowest-numbered vertex of each piece. O(n log n)
+ * for the pieces, O(n) for the fans.
  */
 public final class OddFan {
 
@@ -30,7 +31,16 @@ public final class OddFan {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
-    return ConvexPieces.triangulate(ConvexPieces.of(polygon, progress), OddFan::cut, progress);
+    return triangulate(Region.of(polygon), progress);
+  }
+
+  /**
+   * A triangulation of a region, in the same way.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Triangulation triangulate(Region region, Progress progress) {
+    return ConvexPieces.triangulate(ConvexPieces.of(region, progress), OddFan::cut, progress);
   }
 
   private static void cut(Dcel dcel, int v0, int n, Progress progress) {

@@ -19,8 +19,9 @@ import java.util.List;
  *
  * <p>For a polygon the vertices are scanned in their order, and at each one its diagonals
  * counter-clockwise from the boundary edge to the next vertex, so that a rejected diagonal is
- * looked at once from each end (proof of Theorem 3.2). For sites the interior edges are taken in
- * the order of their numbers, each once. O(n) time.
+ * looked at once from each end (proof of Theorem 3.2). For a region the same, at a site inside it
+ * from the edge with the lowest number on; fixed edges stay. For sites the interior edges are taken
+ * in the order of their numbers, each once. O(n) time.
  *
  * <p>A flip changes the parity of exactly the four corners of Q(d); with three or four of them odd,
  * each flip gains 2 or 4 even vertices.
@@ -51,10 +52,10 @@ public final class ScanFlip {
    */
   public static FlipResult run(Triangulation triangulation, Progress progress) {
     ScanFlip scan = new ScanFlip(triangulation, progress);
-    if (triangulation.domain() == Domain.POLYGON) {
-      scan.scanVertices();
-    } else {
+    if (triangulation.domain() == Domain.SITES) {
       scan.scanEdges();
+    } else {
+      scan.scanVertices();
     }
     return scan.result();
   }
@@ -62,23 +63,58 @@ public final class ScanFlip {
   private void scanVertices() {
     for (int v = 0; v < points.size(); v++) {
       Progress.tick(progress, v, points.size(), "Flipping diagonals");
-      int e = dcel.rotate(boundaryEdge(v));
-      while (!dcel.isBoundary(e >> 1)) {
-        Progress.check(progress, looked++);
-        int following = dcel.rotate(e); // a flip takes e away from v
-        consider(e);
-        e = following;
+      int start = firstEdge(v);
+      if (dcel.isBoundary(start >> 1)) {
+        scanFrom(dcel.rotate(start));
+      } else {
+        scanRound(start);
       }
     }
   }
 
-  /** The half-edge from v along the boundary with the inside on its left. */
-  private int boundaryEdge(int v) {
-    int e = dcel.outEdge(v);
-    while (dcel.face(e ^ 1) != Dcel.OUTER) {
+  private void scanFrom(int first) {
+    int e = first;
+    while (!dcel.isBoundary(e >> 1)) {
+      Progress.check(progress, looked++);
+      int following = dcel.rotate(e); // a flip takes e away from v
+      consider(e);
+      e = following;
+    }
+  }
+
+  /** The edges of a site inside a region, as they were before any of them was flipped. */
+  private void scanRound(int first) {
+    int[] around = new int[dcel.degree(dcel.origin(first))];
+    int e = first;
+    for (int k = 0; k < around.length; k++) {
+      around[k] = e;
       e = dcel.rotate(e);
     }
-    return e;
+    int v = dcel.origin(first);
+    for (int edge : around) {
+      Progress.check(progress, looked++);
+      if (dcel.origin(edge) == v) {
+        consider(edge);
+      }
+    }
+  }
+
+  /**
+   * The half-edge from v along the boundary with the inside on its left; of a site that of the edge
+   * with the lowest number.
+   */
+  private int firstEdge(int v) {
+    int start = dcel.outEdge(v);
+    int lowest = start;
+    int e = start;
+    do {
+      if (dcel.face(e ^ 1) == Dcel.OUTER) {
+        return e;
+      }
+      lowest = Math.min(lowest, e);
+      e = dcel.rotate(e);
+    } while (e != start);
+    return lowest;
   }
 
   private void scanEdges() {
@@ -91,7 +127,7 @@ public final class ScanFlip {
   }
 
   private void consider(int e) {
-    boolean isOpen = !processed[e >> 1] && !made[e >> 1];
+    boolean isOpen = !processed[e >> 1] && !made[e >> 1] && before.kind(e >> 1) != EdgeKind.FIXED;
     if (isOpen && hasThreeOdd(e) && isStrictlyConvex(e)) {
       flip(e);
     }

@@ -1,6 +1,7 @@
 package dct.core.triangulate;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /** What was triangulated. */
@@ -8,7 +9,9 @@ public enum Domain {
   /** The inside of a simple polygon: every vertex is on the boundary. */
   POLYGON("polygon", "polygon", "vertices"),
   /** The convex hull of point sites. */
-  SITES("points", "sites", "sites");
+  SITES("points", "sites", "sites"),
+  /** A region with holes, sites inside or fixed edges. */
+  REGION("region", "region", "vertices");
 
   private final String word;
   private final String title;
@@ -33,6 +36,11 @@ public enum Domain {
   /** What people call its vertices. */
   public String vertices() {
     return vertices;
+  }
+
+  /** The two applications of the thesis, one for polygons and one for sites. */
+  public static List<Domain> applications() {
+    return List.of(POLYGON, SITES);
   }
 
   /** The domain that a word stands for, or nothing for any other word. */

@@ -12,9 +12,11 @@ public enum EdgeKind {
   /** A diagonal of the decomposition into convex or monotone pieces. */
   PARTITION(2, "partition"),
   /** A diagonal made by a flip. */
-  FLIPPED(3, "flipped");
+  FLIPPED(3, "flipped"),
+  /** An edge inside a region that every triangulation of it has. */
+  FIXED(4, "fixed");
 
-  private static final EdgeKind[] BY_CODE = {BOUNDARY, DIAGONAL, PARTITION, FLIPPED};
+  private static final EdgeKind[] BY_CODE = {BOUNDARY, DIAGONAL, PARTITION, FLIPPED, FIXED};
 
   /** One byte for the kind, for arrays: millions of references slow down the garbage collector. */
   final byte code;

@@ -3,16 +3,19 @@ package dct.core.triangulate;
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 
 /**
- * Triangulates a simple polygon by way of its monotone pieces (thesis, Algorithms 2.2 and 2.3).
+ * Triangulates a simple polygon or a region by way of its monotone pieces (thesis, Algorithms 2.2
+ * and 2.3).
  *
- * <p>Takes any simple polygon. Returns a triangulation whose diagonals of the partition are of kind
- * {@link EdgeKind#PARTITION}. The partition takes O(n log n) time ({@link MonotonePartition}); the
- * pieces are triangulated in linear time, after Garey, Johnson, Preparata and Tarjan (1978): the
- * two chains of a piece are merged, not sorted, and a stack holds the vertices that still wait, a
- * reflex chain. Exact; a triangle is cut off only where its area is positive.
+ * <p>Takes any simple polygon or region. Returns a triangulation whose diagonals of the partition
+ * are of kind {@link EdgeKind#PARTITION}. The partition takes O(n log n) time ({@link
+ * MonotonePartition}); the pieces are triangulated in linear time, after Garey, Johnson, Preparata
+ * and Tarjan (1978): the two chains of a piece are merged, not sorted, and a stack holds the
+ * vertices that still wait, a reflex chain. Exact; a triangle is cut off only where its area is
+ * positive.
  */
 public final class MonotoneTriangulation {
   private final Points points;
@@ -37,19 +40,25 @@ public final class MonotoneTriangulation {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public static Triangulation triangulate(SimplePolygon polygon, Progress progress) {
-    Dcel dcel = MonotonePartition.partition(polygon, progress).dcel().copy();
+    return triangulate(Region.of(polygon), progress);
+  }
+
+  /**
+   * A triangulation of a region.
+   *
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Triangulation triangulate(Region region, Progress progress) {
+    Dcel dcel = MonotonePartition.partition(region, progress).dcel().copy();
     int partitionEdges = dcel.edgeCount();
     int pieces = dcel.faceBound();
-    MonotoneTriangulation run = new MonotoneTriangulation(polygon.points(), dcel, progress);
+    MonotoneTriangulation run = new MonotoneTriangulation(region.points(), dcel, progress);
     for (int f = 1; f < pieces; f++) {
       Progress.tick(progress, f - 1, pieces, "Triangulating the monotone pieces");
       run.triangulatePiece(dcel.faceEdge(f));
     }
-    return new Triangulation(
-        Domain.POLYGON,
-        polygon.points(),
-        dcel,
-        edge -> edge < partitionEdges ? EdgeKind.PARTITION : EdgeKind.DIAGONAL);
+    return Triangulation.of(
+        region, dcel, edge -> edge < partitionEdges ? EdgeKind.PARTITION : EdgeKind.DIAGONAL);
   }
 
   /** Triangulates one monotone face, given by any of its half-edges. */

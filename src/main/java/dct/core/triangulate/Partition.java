@@ -1,15 +1,15 @@
 package dct.core.triangulate;
 
 import dct.core.dcel.Dcel;
-import dct.core.geometry.SimplePolygon;
+import dct.core.geometry.Region;
 
 /**
- * A simple polygon cut into pieces by some of its diagonals.
+ * A region cut into pieces by some of its diagonals.
  *
- * @param polygon the polygon
+ * @param region the region, or polygon
  * @param dcel its topology, frozen: the outer face and one face a piece
  */
-public record Partition(SimplePolygon polygon, Dcel dcel) {
+public record Partition(Region region, Dcel dcel) {
 
   public Partition {
     dcel.freeze();

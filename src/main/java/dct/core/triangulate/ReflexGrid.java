@@ -136,7 +136,7 @@ final class ReflexGrid {
   private boolean isFree(int from, int to, int a, int b, int c) {
     for (int k = from; k < to; k++) {
       int v = members[k];
-      if (isReflex[v] && v != a && v != c && isInside(v, a, b, c)) {
+      if (isReflex[v] && v != a && v != b && v != c && isInside(v, a, b, c)) {
         return false;
       }
     }

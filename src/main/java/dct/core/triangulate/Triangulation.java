@@ -2,17 +2,20 @@ package dct.core.triangulate;
 
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.IntFunction;
 
 /**
- * A triangulation of a simple polygon or of point sites; immutable.
+ * A triangulation of a simple polygon, a region or point sites; immutable.
  *
  * <p>Vertices have the numbers of the points. Edges are numbered 0 … {@link #edgeCount} − 1 in the
  * order in which the algorithm made them. A polygon with n vertices has n − 3 diagonals and n − 2
- * triangles. Sites with h of n on the boundary of their hull have 2n − 2 − h triangles; sites that
- * all lie on one line have none, and their edges form a path.
+ * triangles; a region has {@link Region#triangles}. Sites with h of n on the boundary of their hull
+ * have 2n − 2 − h triangles; sites that all lie on one line have none, and their edges form a path.
  */
 public final class Triangulation {
   private final Domain domain;
@@ -39,6 +42,22 @@ public final class Triangulation {
       EdgeKind kind = dcel.isBoundary(edge) ? EdgeKind.BOUNDARY : inner.apply(edge);
       kinds[edge] = kind.code;
     }
+  }
+
+  /**
+   * A triangulation of a region, or of a polygon if it is one.
+   *
+   * @param inner the kind of each edge that is neither on the boundary nor fixed
+   */
+  public static Triangulation of(Region region, Dcel dcel, IntFunction<EdgeKind> inner) {
+    return new Triangulation(
+        region.isPolygon() ? Domain.POLYGON : Domain.REGION,
+        region.points(),
+        dcel,
+        edge ->
+            region.isFixed(dcel.origin(2 * edge), dcel.target(2 * edge))
+                ? EdgeKind.FIXED
+                : inner.apply(edge));
   }
 
   /** What was triangulated. */
@@ -87,11 +106,34 @@ public final class Triangulation {
     return count;
   }
 
-  /** This triangulation with every edge that is not on the boundary a mere diagonal. */
+  /** This triangulation with every edge that is neither on the boundary nor fixed a diagonal. */
   public Triangulation plain() {
-    return count(EdgeKind.BOUNDARY) + count(EdgeKind.DIAGONAL) == edgeCount()
-        ? this
-        : new Triangulation(domain, points, dcel, edge -> EdgeKind.DIAGONAL);
+    return count(EdgeKind.PARTITION) + count(EdgeKind.FLIPPED) == 0 ? this : with(dcel);
+  }
+
+  /**
+   * Another triangulation of the same: its inner edges are diagonals but for the fixed ones, which
+   * it has, too.
+   */
+  public Triangulation with(Dcel other) {
+    Set<Long> fixed = new HashSet<>();
+    for (int edge = 0; edge < kinds.length; edge++) {
+      if (kinds[edge] == EdgeKind.FIXED.code) {
+        fixed.add(pair(from(edge), to(edge)));
+      }
+    }
+    return new Triangulation(
+        domain,
+        points,
+        other,
+        edge ->
+            !fixed.isEmpty() && fixed.contains(pair(other.origin(2 * edge), other.target(2 * edge)))
+                ? EdgeKind.FIXED
+                : EdgeKind.DIAGONAL);
+  }
+
+  private static long pair(int u, int v) {
+    return ((long) Math.min(u, v) << 32) | Math.max(u, v);
   }
 
   /** One end of an edge: the vertex that half-edge {@code 2 * edge} leaves. */
@@ -124,8 +166,8 @@ public final class Triangulation {
   }
 
   /**
-   * The number of vertices on the boundary, h: all n of a polygon; of sites, those on the hull, the
-   * ones inside its edges included.
+   * The number of vertices on the boundary, h: all n of a polygon; of a region, those on rings; of
+   * sites, those on the hull, the ones inside its edges included.
    */
   public int boundaryCount() {
     boolean[] seen = new boolean[vertexCount()];

@@ -27,7 +27,7 @@ public final class ModeCommands {
 
   /** Offers a command for each application and each mode of the workbench. */
   public static void offer(CommandRegistry commands, Workbench workbench) {
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       commands
           .add(
               name(domain),

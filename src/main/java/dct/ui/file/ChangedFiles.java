@@ -80,7 +80,7 @@ public final class ChangedFiles {
   /** Follows the workbench: another document has another file. */
   public void refresh() {
     boolean others = false;
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       Optional<Origin> origin = workbench.editor(domain).origin();
       if (!origin.equals(Optional.ofNullable(seen.get(domain)).map(Seen::origin))) {
         origin.ifPresentOrElse(

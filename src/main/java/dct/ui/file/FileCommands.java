@@ -39,7 +39,7 @@ public final class FileCommands {
   }
 
   private static void addSamples(JMenu menu, FileWork files) {
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       if (menu.getItemCount() > 0) {
         menu.addSeparator();
       }

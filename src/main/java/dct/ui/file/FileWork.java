@@ -20,7 +20,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
@@ -166,7 +165,7 @@ public final class FileWork {
 
   /** The documents of which something is not saved. */
   List<Editor> unsaved() {
-    return Stream.of(Domain.values())
+    return Domain.applications().stream()
         .map(workbench::editor)
         .filter(editor -> editor.history().isUnsaved())
         .toList();
@@ -227,7 +226,7 @@ public final class FileWork {
 
   /** The editor of the document that has this result now. */
   private Optional<Editor> ownerOf(Result result) {
-    return Stream.of(Domain.values())
+    return Domain.applications().stream()
         .map(workbench::editor)
         .filter(editor -> editor.document().result().equals(Optional.of(result)))
         .findFirst();

@@ -145,7 +145,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
       return "A picture to look at: edges are flipped in the views of results";
     }
     return switch (domain.get()) {
-      case POLYGON ->
+      case POLYGON, REGION ->
           "The polygon is no longer the one of this result: undo the change, or triangulate again";
       case SITES -> "A result to look at: edges of sites are flipped in the main window";
     };

@@ -60,7 +60,7 @@ public final class Workbench implements ToolContext {
   public Workbench(Supplier<Viewport> viewport, Consumer<String> status) {
     this.viewport = viewport;
     this.status = status;
-    for (Domain each : Domain.values()) {
+    for (Domain each : Domain.applications()) {
       Editor editor = new Editor(each, jobs);
       editors.put(each, editor);
       editor.setGrowing(true);

@@ -81,7 +81,7 @@ class HertelMehlhornTest {
   private static Partition without(Partition partition, int edge) {
     Dcel joined = partition.dcel().copy();
     joined.joinFaces(2 * edge);
-    return new Partition(partition.polygon(), joined);
+    return new Partition(partition.region(), joined);
   }
 
   private static void refusesConvexity(Partition partition, String what) {

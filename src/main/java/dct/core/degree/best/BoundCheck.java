@@ -7,10 +7,13 @@ import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
+import dct.core.degree.bound.RegionBounds;
 import dct.core.degree.bound.SiteBounds;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
+import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
 import java.util.List;
 
@@ -71,6 +74,22 @@ public record BoundCheck(Verdict verdict, LowerBound recomputed) {
     return quick.value() >= claimed
         ? new BoundCheck(Verdict.RECOMPUTED, quick)
         : judge(BestTriangulation.of(polygon, goal, limits(), progress), claimed, progress);
+  }
+
+  /**
+   * Checks a bound for a region.
+   *
+   * @param claimed the number that no triangulation is said to go below
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static BoundCheck of(Region region, ParityGoal goal, int claimed, Progress progress) {
+    LowerBound quick = RegionBounds.of(region, goal);
+    if (quick.value() >= claimed) {
+      return new BoundCheck(Verdict.RECOMPUTED, quick);
+    }
+    Triangulation start = MonotoneTriangulation.triangulate(region, progress);
+    Optimum found = RegionOptimizer.optimize(region, start, goal, limits(), progress);
+    return judge(found, claimed, progress);
   }
 
   private static SearchLimits limits() {

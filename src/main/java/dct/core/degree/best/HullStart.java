@@ -5,7 +5,6 @@ import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.bound.SiteBounds;
 import dct.core.geometry.Points;
-import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import java.util.ArrayDeque;
 import java.util.BitSet;
@@ -44,7 +43,7 @@ final class HullStart {
       progress.checkCancelled();
       made.insert(edges[i], edges[i + 1]);
     }
-    return new Triangulation(start.domain(), start.points(), made.dcel, edge -> EdgeKind.DIAGONAL);
+    return start.with(made.dcel);
   }
 
   private void insert(int u, int v) {

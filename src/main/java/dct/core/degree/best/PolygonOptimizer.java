@@ -15,6 +15,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.PolygonBounds;
 import dct.core.degree.region.ParityTable;
 import dct.core.degree.region.PolygonImprover;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.MonotoneTriangulation;
@@ -244,7 +245,7 @@ public final class PolygonOptimizer {
     take(ScanFlip.run(best, early).after());
     Triangulation monotone = MonotoneTriangulation.triangulate(polygon, clock);
     takeFlipped(monotone);
-    Triangulation pieces = PartitioningAqt.triangulate(polygon, monotone, clock);
+    Triangulation pieces = PartitioningAqt.triangulate(Region.of(polygon), monotone, clock);
     take(pieces);
     takeFlipped(pieces);
     takeFlipped(EarClipping.triangulate(polygon, clock));

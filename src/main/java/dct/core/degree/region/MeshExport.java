@@ -3,7 +3,6 @@ package dct.core.degree.region;
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
 import dct.core.dcel.HalfEdges;
-import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 
 /** Turns a {@link SearchMesh} into a triangulation of the sites, in linear time. */
@@ -43,7 +42,7 @@ public final class MeshExport {
       copy(e + 2, e);
     }
     Dcel dcel = Dcel.of(mesh.size(), links, linkOutside(last), Progress.NONE);
-    return new Triangulation(start.domain(), start.points(), dcel, edge -> EdgeKind.DIAGONAL);
+    return start.with(dcel);
   }
 
   /** Numbers the edge of e if it is first seen; its hull side, if any, gets the odd number. */
