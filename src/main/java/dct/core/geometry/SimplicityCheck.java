@@ -20,6 +20,7 @@ import java.util.Optional;
  */
 public final class SimplicityCheck {
   private final Rings rings;
+  private final boolean isChain; // the rings are one chain of all vertices in their order
   private final Points points;
   private final Progress progress;
   private final int n;
@@ -32,6 +33,7 @@ public final class SimplicityCheck {
 
   private SimplicityCheck(Rings rings, Progress progress) {
     this.rings = rings;
+    this.isChain = rings.isChain();
     this.points = rings.points();
     this.progress = progress;
     n = points.size();
@@ -125,11 +127,25 @@ public final class SimplicityCheck {
   }
 
   private int after(int v) {
+    if (isChain) {
+      return v + 1 == n ? 0 : v + 1;
+    }
     return rings.after(v);
   }
 
   private int before(int v) {
+    if (isChain) {
+      return v == 0 ? n - 1 : v - 1;
+    }
     return rings.before(v);
+  }
+
+  private int from(int edge) {
+    return edge < n ? edge : rings.from(edge);
+  }
+
+  private int to(int edge) {
+    return edge < n ? after(edge) : rings.to(edge);
   }
 
   /** On which side of each edge the region is, if the rings bound one. */
@@ -160,10 +176,10 @@ public final class SimplicityCheck {
     for (int k = n - 1; k >= 0 && defect == null; k--) {
       Progress.tick(progress, n - 1 - k, n, "Checking that the boundary is simple");
       int v = order[k];
-      if (stars.has(v)) {
-        star(status, v);
-      } else {
+      if (isChain || !stars.has(v)) {
         boundary(status, v);
+      } else {
+        star(status, v);
       }
     }
   }
@@ -243,7 +259,7 @@ public final class SimplicityCheck {
    * @param left the edge on its left
    */
   private void findStray(int left, int v) {
-    if (defect != null || rings.isChain() || isInsideRight(left)) {
+    if (isChain || defect != null || isInsideRight(left)) {
       return;
     }
     int r = rings.ringOf(v);
@@ -293,18 +309,21 @@ public final class SimplicityCheck {
   }
 
   private boolean haveCommonEnd(int e, int f) {
-    int a = rings.from(e);
-    int b = rings.to(e);
-    int c = rings.from(f);
-    int d = rings.to(f);
+    if (isChain) {
+      return after(e) == f || after(f) == e;
+    }
+    int a = from(e);
+    int b = to(e);
+    int c = from(f);
+    int d = to(f);
     return b == c || a == d || a == c || b == d;
   }
 
   private void compare(int e, int f) {
-    int a = rings.from(e);
-    int b = rings.to(e);
-    int c = rings.from(f);
-    int d = rings.to(f);
+    int a = from(e);
+    int b = to(e);
+    int c = from(f);
+    int d = to(f);
     int abc = points.orient(a, b, c);
     int abd = points.orient(a, b, d);
     int cda = points.orient(c, d, a);
@@ -325,7 +344,7 @@ public final class SimplicityCheck {
   }
 
   private void findTouch(int side, int v, int edge) {
-    if (side == 0 && defect == null && isBetween(v, rings.from(edge), rings.to(edge))) {
+    if (side == 0 && defect == null && isBetween(v, from(edge), to(edge))) {
       reportTouch(v, edge);
     }
   }
@@ -335,8 +354,8 @@ public final class SimplicityCheck {
   }
 
   private void reportTouch(int v, int edge) {
-    int from = rings.from(edge);
-    int to = rings.to(edge);
+    int from = from(edge);
+    int to = to(edge);
     defect = new Defect(Defect.Kind.TOUCH, v, v, from, to, points.x(v), points.y(v), n);
   }
 
@@ -344,7 +363,7 @@ public final class SimplicityCheck {
   private void reportEdge(Defect.Kind kind, int e, int f, int where) {
     double x = points.x(where);
     double y = points.y(where);
-    defect = new Defect(kind, rings.from(e), rings.to(e), rings.from(f), rings.to(f), x, y, n);
+    defect = new Defect(kind, from(e), to(e), from(f), to(f), x, y, n);
   }
 
   /** Reports a fault of one or two vertices. */

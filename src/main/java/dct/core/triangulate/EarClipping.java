@@ -31,6 +31,7 @@ public final class EarClipping {
 
   private final Points points;
   private final Dcel dcel;
+  private final int[] vertex; // by corner
   private final int[] leaving; // by corner: the half-edge that leaves it in the rest of its face
   private final int[] next; // by corner: the one after it in the rest of its face
   private final int[] previous;
@@ -50,6 +51,7 @@ public final class EarClipping {
     points = region.points();
     dcel = region.isPolygon() ? Dcel.cycle(walk(region)) : RegionTies.tied(region, progress);
     corners = inner(dcel);
+    vertex = new int[corners];
     leaving = new int[corners];
     next = new int[corners];
     previous = new int[corners];
@@ -89,6 +91,7 @@ public final class EarClipping {
       int e = start;
       do {
         Progress.check(progress, count);
+        vertex[count] = dcel.origin(e);
         leaving[count] = e;
         previous[count] = count - 1;
         next[count] = count + 1;
@@ -101,7 +104,7 @@ public final class EarClipping {
     for (int c = 0; c < corners; c++) {
       Progress.check(progress, c);
       reflex[c] = !isConvex(c);
-      reflexCorners[vertex(c)] += reflex[c] ? 1 : 0;
+      reflexCorners[vertex[c]] += reflex[c] ? 1 : 0;
     }
   }
 
@@ -162,16 +165,12 @@ public final class EarClipping {
     }
   }
 
-  private int vertex(int corner) {
-    return dcel.origin(leaving[corner]);
-  }
-
   private boolean isConvex(int c) {
-    return points.orient(vertex(previous[c]), vertex(c), vertex(next[c])) > 0;
+    return points.orient(vertex[previous[c]], vertex[c], vertex[next[c]]) > 0;
   }
 
   private boolean isEar(int b) {
-    return !reflex[b] && grid.isTriangleFree(vertex(previous[b]), vertex(b), vertex(next[b]));
+    return !reflex[b] && grid.isTriangleFree(vertex[previous[b]], vertex[b], vertex[next[b]]);
   }
 
   private void clip(int b) {
@@ -189,7 +188,7 @@ public final class EarClipping {
   private void refresh(int corner) {
     if (reflex[corner] && isConvex(corner)) {
       reflex[corner] = false;
-      int v = vertex(corner);
+      int v = vertex[corner];
       if (--reflexCorners[v] == 0) {
         grid.remove(v);
       }

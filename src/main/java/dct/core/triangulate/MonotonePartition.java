@@ -28,6 +28,7 @@ import java.util.List;
  */
 public final class MonotonePartition {
   private final Region region;
+  private final boolean isPolygon; // without holes, sites and fixed edges
   private final Points points;
   private final int n;
   private final int[] order; // vertices, lowest first
@@ -44,6 +45,7 @@ public final class MonotonePartition {
 
   private MonotonePartition(Region region, boolean withChords, Progress progress) {
     this.region = region;
+    isPolygon = region.isPolygon();
     points = region.points();
     n = region.size();
     order = PlaneOrder.byYThenX(points, progress);
@@ -121,18 +123,36 @@ public final class MonotonePartition {
     for (int i = n - 1; i >= 0; i--) {
       Progress.tick(progress, n - 1 - i, n, "Cutting into monotone pieces");
       int v = order[i];
-      if (edges.hasStar(v)) {
-        star(v);
-      } else {
+      if (isPolygon || !edges.hasStar(v)) {
         visit(v, region.position(v));
+      } else {
+        star(v);
       }
     }
   }
 
+  private int vertex(int k) {
+    return region.vertex(k);
+  }
+
+  private int after(int k) {
+    if (isPolygon) {
+      return k + 1 == n ? 0 : k + 1;
+    }
+    return region.after(k);
+  }
+
+  private int before(int k) {
+    if (isPolygon) {
+      return k == 0 ? n - 1 : k - 1;
+    }
+    return region.before(k);
+  }
+
   /** Vertex v at position k, which has two edges of a ring and no other. */
   private void visit(int v, int k) {
-    boolean arrivesFromAbove = rank[region.vertex(region.before(k))] > rank[v];
-    boolean leavesUpwards = rank[region.vertex(region.after(k))] > rank[v];
+    boolean arrivesFromAbove = rank[vertex(before(k))] > rank[v];
+    boolean leavesUpwards = rank[vertex(after(k))] > rank[v];
     if (arrivesFromAbove && !leavesUpwards) {
       passLeft(v, k);
     } else if (!arrivesFromAbove && leavesUpwards) {
@@ -148,17 +168,17 @@ public final class MonotonePartition {
   }
 
   private int turn(int v, int k) {
-    return points.orient(region.vertex(region.before(k)), v, region.vertex(region.after(k)));
+    return points.orient(vertex(before(k)), v, vertex(after(k)));
   }
 
   /** The boundary goes down through v, the inside is on its right. */
   private void passLeft(int v, int k) {
-    int old = region.before(k);
+    int old = before(k);
     chord(v, rightOf[old], true);
     if (hangs[old]) {
       join(2 * k, support[old]);
     }
-    status.replace(old, k, v, region.vertex(region.after(k)));
+    status.replace(old, k, v, vertex(after(k)));
     openTrapezoid(k, rightOf[old], 2 * k, false);
   }
 
@@ -167,29 +187,28 @@ public final class MonotonePartition {
     int left = leftOf[k];
     chord(v, left, false);
     int corner = hangs[left] ? join(2 * k, support[left]) : 2 * k;
-    openTrapezoid(left, region.before(k), corner, false);
+    openTrapezoid(left, before(k), corner, false);
   }
 
   /** Both edges of v go down: the inside starts here, or is parted by a cusp. */
   private void part(int v, int k, boolean convex) {
     int left = status.search(v);
     int right = left == SweepStatus.NONE ? left : rightOf[left];
-    status.insertAfter(left, k, v, region.vertex(region.after(k)));
+    status.insertAfter(left, k, v, vertex(after(k)));
     if (convex) {
-      openTrapezoid(k, region.before(k), 2 * k, false);
+      openTrapezoid(k, before(k), 2 * k, false);
       return;
     }
     chord(v, left, false);
     chord(v, right, true);
     int corner = join(2 * k, support[left]);
     openTrapezoid(k, right, 2 * k, false);
-    openTrapezoid(left, region.before(k), corner, false);
+    openTrapezoid(left, before(k), corner, false);
   }
 
   /** Both edges of v go up: the inside ends here, or two parts of it meet at a cusp. */
   private void meet(int v, int k, boolean convex) {
-    int right =
-        region.before(k); // the left edge of the trapezoid that ends, or is right of the cusp
+    int right = before(k); // the left edge of the trapezoid that ends, or is right of the cusp
     if (hangs[right]) {
       join(2 * k, support[right]);
     }
