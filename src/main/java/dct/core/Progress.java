@@ -73,4 +73,25 @@ public interface Progress {
       throw new CancellationException();
     }
   }
+
+  /**
+   * What a part of the computation reports to: its fractions lie between these two of the whole.
+   *
+   * @param from the part that is done at its start, from 0 to 1
+   * @param to the part that is done at its end
+   */
+  default Progress part(double from, double to) {
+    Progress whole = this;
+    return new Progress() {
+      @Override
+      public void report(double fraction, String message) {
+        whole.report(from + (to - from) * fraction, message);
+      }
+
+      @Override
+      public boolean isCancelled() {
+        return whole.isCancelled();
+      }
+    };
+  }
 }

@@ -8,8 +8,10 @@ import dct.core.degree.OddFan;
 import dct.core.degree.PartitioningAqt;
 import dct.core.degree.ScanFlip;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
+import dct.core.triangulate.ConstrainedDelaunay;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.EarClipping;
 import dct.core.triangulate.HertelMehlhorn;
@@ -53,7 +55,9 @@ class ProgressTest {
         new Computation("convex-even", MANY, p -> PartitioningAqt.triangulate(comb, p)),
         new Computation("convex-odd", MANY, p -> OddFan.triangulate(comb, p)),
         new Computation("simple polygon", MANY, p -> SimplePolygon.of(comb.points(), p)),
-        new Computation("delaunay", MANY, p -> Delaunay.triangulate(sites, p)));
+        new Computation("delaunay", MANY, p -> Delaunay.triangulate(sites, p)),
+        new Computation(
+            "constrained", MANY, p -> ConstrainedDelaunay.triangulate(Region.of(comb), p)));
   }
 
   /** Each in two sizes, one after the other. */

@@ -60,6 +60,18 @@ public final class RandomRegions {
     return Region.of(make(family, n, holes, fixed, seed), Progress.NONE);
   }
 
+  /**
+   * The same rings, stretched along y, so that many of their edges are not Delaunay any more.
+   *
+   * @param factor a power of two, so that nothing is rounded
+   */
+  public static Rings stretched(Rings rings, double factor) {
+    Points p = rings.points();
+    double[] y = Arrays.stream(p.ys()).map(value -> value * factor).toArray();
+    List<int[]> same = IntStream.range(0, rings.count()).mapToObj(rings::ring).toList();
+    return Rings.of(Points.of(p.xs(), y), same, rings.fixed());
+  }
+
   private void count(int edge, int change) {
     ring[mesh.from(edge)] += change;
     ring[mesh.to(edge)] += change;

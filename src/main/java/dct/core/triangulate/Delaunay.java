@@ -37,9 +37,7 @@ public final class Delaunay {
     if (n < 2) {
       return Dcel.of(n, new HalfEdges(0, 0), Dcel.NONE, progress);
     }
-    progress.report(0, "Sorting the sites");
-    KdOrder order = new KdOrder(sites.points(), progress);
-    DelaunayMerge merge = new DelaunayMerge(order, progress);
+    DelaunayMerge merge = new DelaunayMerge(sites.points(), progress);
     int outer = merge.run();
     progress.report(0.9, "Linking the edges");
     return Dcel.of(n, merge.links(), outer, progress);

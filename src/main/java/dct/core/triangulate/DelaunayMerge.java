@@ -3,13 +3,14 @@ package dct.core.triangulate;
 import dct.core.Progress;
 import dct.core.dcel.HalfEdges;
 import dct.core.dcel.HalfEdges.FreeEdges;
+import dct.core.geometry.Points;
 import dct.core.geometry.Predicates;
 import java.util.concurrent.RecursiveTask;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * The recursion of {@link Delaunay} over {@link KdOrder}, on {@link HalfEdges}; names as in Guibas
- * and Stolfi (1985), Figure 23.
+ * and Stolfi (1985), Figure 23. {@link ConstrainedDelaunay} starts with it, too.
  *
  * <p>The part [lo, hi) owns the edges 3·lo … 3·hi − 1, which is enough, since m sites have at most
  * 3m − 3 edges. Each part has its own list of those not in use, so that parts can be computed in
@@ -29,9 +30,10 @@ final class DelaunayMerge {
   private final Progress progress;
   private final AtomicInteger done = new AtomicInteger();
 
-  DelaunayMerge(KdOrder order, Progress progress) {
-    this.order = order;
+  DelaunayMerge(Points points, Progress progress) {
     this.progress = progress;
+    progress.report(0, "Sorting the sites");
+    order = new KdOrder(points, progress);
     x = order.x;
     y = order.y;
     links = new HalfEdges(3 * x.length, 3 * x.length);
@@ -40,12 +42,22 @@ final class DelaunayMerge {
     origin = links.origin();
   }
 
-  /** Triangulates all sites; returns a half-edge of the outer face. */
+  /** Triangulates all sites, two or more; returns a half-edge of the outer face. */
   int run() {
     return new Task(0, x.length, true, KdOrder.ROOT).invoke().ldo ^ 1;
   }
 
-  /** The links between the sites; the places are gone afterwards. */
+  /** The order of the sites; what {@link #placed} links are places in it. */
+  KdOrder order() {
+    return order;
+  }
+
+  /** The links between the places of the sites. */
+  HalfEdges placed() {
+    return links;
+  }
+
+  /** The links between the sites; those between the places are gone afterwards. */
   HalfEdges links() {
     for (int e = 0; e < origin.length; e++) {
       if (next[e] != HalfEdges.NONE) {
