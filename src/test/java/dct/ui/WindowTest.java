@@ -408,7 +408,7 @@ abstract class WindowTest {
       Ink ink =
           switch (triangulation.kind(edge)) {
             case BOUNDARY -> Ink.BOUNDARY;
-            case DIAGONAL, FIXED -> Ink.DIAGONAL;
+            case DIAGONAL -> Ink.DIAGONAL;
             case PARTITION -> Ink.PARTITION;
             case FLIPPED -> Ink.FLIPPED;
             case FIXED -> Ink.FIXED;

@@ -3,7 +3,6 @@ package dct.core.triangulate;
 import dct.core.Progress;
 import dct.core.SeededRandom;
 import dct.core.dcel.Dcel;
-import dct.core.dcel.HalfEdges;
 import dct.core.geometry.Region;
 import dct.core.geometry.Rings;
 import java.util.Arrays;
@@ -21,13 +20,13 @@ import java.util.Arrays;
  * by which it is known.
  *
  * <p>O(n log n) time for the Delaunay triangulation, and O(n) space. In a random order, m missing
- * edges are expected to cross O(n log² m) edges in all (Shewchuk and Brown 2015). Here the order
- * is random in rounds only, each as long as all before it, and in a round from place to
- * neighbouring place (Amenta, Choi and Rote 2003), so that what is near is still in the cache: as
- * many edges are crossed in measurements, in half the time. Looking for the triangles in which
- * insertions start adds little: the degrees that are the smaller ones at their edges sum up to
- * three times all degrees at most, in any plane graph. Each insertion takes as many steps more as
- * its cavities ask for, quadratic at worst in the size of one.
+ * edges are expected to cross O(n log² m) edges in all (Shewchuk and Brown 2015). Here the order is
+ * random in rounds only, each as long as all before it, and in a round from place to neighbouring
+ * place (Amenta, Choi and Rote 2003), so that what is near is still in the cache: as many edges are
+ * crossed in measurements, in half the time. Looking for the triangles in which insertions start
+ * adds little: the degrees that are the smaller ones at their edges sum up to three times all
+ * degrees at most, in any plane graph. Each insertion takes as many steps more as its cavities ask
+ * for, quadratic at worst in the size of one.
  *
  * <p>Among cocircular vertices the edge kept depends on the order, but not on the number of
  * threads. Edges are numbered from place to neighbouring place, those inserted with the numbers of
@@ -122,7 +121,9 @@ public final class ConstrainedDelaunay {
 
   // ---- the outside
 
-  /** Takes all edges outside the region out; returns a half-edge of each ring, outside on its left. */
+  /**
+   * Takes all edges outside the region out; returns a half-edge of each ring, outside on its left.
+   */
   private int[] takeOutside() {
     int[] outer = new int[region.rings().count()];
     for (int k = 0; k < region.positions(); k++) {

@@ -22,8 +22,9 @@ import java.util.Arrays;
  *   <li>The triangle is free. No vertex of the chain is inside it, and none is on the line of the
  *       base or beyond it. So an edge of the chain that met its inside would cut it into a part
  *       with the base and one with c, and c would not be seen.
- *   <li>There is one corner at c. Between two of them the chain runs round what hangs from c, between
- *       the lines along which both are seen; so that is inside the triangle, and in the circle.
+ *   <li>There is one corner at c. Between two of them the chain runs round what hangs from c,
+ *       between the lines along which both are seen; so that is inside the triangle, and in the
+ *       circle.
  *   <li>The rest is again a cavity on ac and one on cb: what is seen from ab through the triangle
  *       is seen from that side through which its line leaves the triangle, and is beyond it.
  * </ul>

@@ -194,8 +194,12 @@ class ConstrainedDelaunayTest {
     Family uniform = families().get(0);
     for (int seed = 0; seed < 20; seed++) {
       Rings rings = RandomRegions.stretched(RandomRegions.make(uniform, 300, 4, 10, seed), 8);
-      int[] number = new Random(seed).ints(0, rings.points().size()).distinct()
-          .limit(rings.points().size()).toArray();
+      int[] number =
+          new Random(seed)
+              .ints(0, rings.points().size())
+              .distinct()
+              .limit(rings.points().size())
+              .toArray();
       Triangulation t = triangulate(rings);
       long[] renamed =
           IntStream.range(0, t.edgeCount())
