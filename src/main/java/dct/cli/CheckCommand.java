@@ -17,7 +17,9 @@ final class CheckCommand extends Verb {
   private final OptionSpec quiet = flag("--quiet", "Print nothing; the exit status tells.");
 
   CheckCommand(Console console) {
-    super(console, "Is it a simple polygon, or usable sites? Says what is wrong, and where.");
+    super(
+        console,
+        "Is it a simple polygon, usable sites, or a region? Says what is wrong, and where.");
     examples("dct check samples/comb_polygonbased.txt --json");
   }
 
@@ -53,6 +55,11 @@ final class CheckCommand extends Verb {
     object.addProperty("merged", instance.merged());
     if (instance instanceof Instance.OfPolygon of) {
       object.addProperty("clockwise", of.polygon().isClockwise());
+    }
+    if (instance instanceof Instance.OfRegion of) {
+      object.addProperty("holes", of.region().holes());
+      object.addProperty("sites", of.region().sites());
+      object.addProperty("fixed", of.region().rings().fixedCount());
     }
     return object;
   }

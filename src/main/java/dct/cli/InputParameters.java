@@ -47,17 +47,19 @@ final class InputParameters {
     as =
         verb.option(
             "--as",
-            "polygon|points",
+            "polygon|points|region",
             String.class,
             "What the input is. By default its name (_polygonbased, _pointbased) says so, or else"
                 + " its contents (\"kind\" in JSON, a comment \"# kind: points\"), or else it has"
-                + " to be a polygon.");
+                + " to be a polygon. A region is a ring with holes, and in the own text, in JSON"
+                + " and .poly with sites and fixed edges inside.");
     pick =
         verb.option(
             "--pick",
             "N",
             Integer.class,
-            "Which of several shapes in the input, from 1 on; without it they are listed.");
+            "Which of several shapes in the input, from 1 on, or of several regions; without it they"
+                + " are listed.");
     columns =
         verb.option(
             "--columns",
@@ -88,9 +90,12 @@ final class InputParameters {
 
   /** All shapes of the input. */
   Shapes shapes(Progress progress) throws IOException {
-    return name().equals(Verb.STANDARD_STREAM)
-        ? touch().split(PointFile.shapes(name(), console.in(), columns()), progress)
-        : touch().split(PointFile.shapes(path(name()), columns(), progress), progress);
+    Shapes all =
+        name().equals(Verb.STANDARD_STREAM)
+            ? PointFile.shapes(name(), console.in(), columns())
+            : PointFile.shapes(path(name()), columns(), progress);
+    Shapes apart = touch().split(all, progress);
+    return asked().equals(Optional.of(Domain.REGION)) ? apart.outlines() : apart;
   }
 
   private Choice choice() {
@@ -182,7 +187,7 @@ final class InputParameters {
     }
     Optional<Domain> domain = Domain.parse(word);
     if (domain.isEmpty()) {
-      throw UsageException.unknown("--as", word, List.of("polygon", "points"));
+      throw UsageException.unknown("--as", word, List.of("polygon", "points", "region"));
     }
     return domain;
   }

@@ -28,7 +28,11 @@ final class PointOutput {
       case TXT -> writeText(document, output, console);
       case JSON -> output.write(console, out -> ResultJson.write(out, document));
       default -> {
-        Drawing drawing = Drawing.of(name(document), document.domain(), document.points());
+        Drawing drawing =
+            document
+                .rings()
+                .map(rings -> Drawing.of(name(document), rings))
+                .orElseGet(() -> Drawing.of(name(document), document.domain(), document.points()));
         if (!SolutionOutput.writeData(output, ending, drawing, console)) {
           SolutionOutput.write(scene(document), figure, name(document), output, ending, console);
         }
@@ -51,6 +55,9 @@ final class PointOutput {
   }
 
   private static Scene scene(PointDocument document) {
+    if (document.rings().isPresent()) {
+      return Scene.region(document.rings().get());
+    }
     return document.domain() == Domain.SITES
         ? Scene.sites(document.points())
         : Scene.polygon(document.points(), false, List.of());

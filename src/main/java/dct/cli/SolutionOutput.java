@@ -39,14 +39,21 @@ final class SolutionOutput {
     Instance instance = solution.instance();
     FileEnding ending = output.format().orElse(FileEnding.JSON);
     switch (ending) {
-      case TXT ->
-          PointFile.write(output.file(), instance.domain(), instance.points(), Progress.NONE);
+      case TXT -> writeText(instance, output);
       case JSON -> output.write(console, out -> ResultJson.write(out, solution, millis));
       default -> {
         if (!writeData(output, ending, Drawing.of(solution), console)) {
           write(Scene.of(solution), figure, title(instance.name()), output, ending, console);
         }
       }
+    }
+  }
+
+  private static void writeText(Instance instance, Output output) throws IOException {
+    if (instance instanceof Instance.OfRegion of) {
+      PointFile.write(output.file(), of.region().rings(), Progress.NONE);
+    } else {
+      PointFile.write(output.file(), instance.domain(), instance.points(), Progress.NONE);
     }
   }
 

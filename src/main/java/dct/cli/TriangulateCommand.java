@@ -29,8 +29,8 @@ final class TriangulateCommand extends Verb {
           "A",
           Stream.concat(Arrays.stream(Method.values()).map(Method::word), Stream.of(AS_READ))
               .toList(),
-          "For polygons ear-clipping, monotone (default), convex-even, convex-odd; for points"
-              + " delaunay (default); as-read takes the triangulation that the input holds.");
+          "For polygons and regions ear-clipping, monotone (default), convex-even, convex-odd; for"
+              + " points delaunay (default); as-read takes the triangulation that the input holds.");
   private final OptionSpec flip = flag("--flip", "Run Scan-Flip on what the algorithm made.");
   private final OptimizeParameters optimize = new OptimizeParameters(this);
   private final OptionSpec output =
@@ -46,7 +46,8 @@ final class TriangulateCommand extends Verb {
   TriangulateCommand(Console console) {
     super(
         console,
-        "Triangulates a simple polygon, or point sites, and counts even and odd vertices.");
+        "Triangulates a simple polygon, point sites, or a region with holes, and counts even and odd"
+            + " vertices.");
     examples(
         "dct triangulate samples/comb_polygonbased.txt --flip",
         "dct triangulate samples/random_50_pointbased.txt --optimize even -o result.json -o"
@@ -148,7 +149,7 @@ final class TriangulateCommand extends Verb {
                         "--algorithm "
                             + word
                             + " is none for "
-                            + (domain == Domain.POLYGON ? "a polygon" : "points")
+                            + (domain == Domain.SITES ? "points" : "a " + domain.word())
                             + Spelling.hint(word, Method.words(domain))
                             + ", use "
                             + String.join(", ", Method.words(domain))));

@@ -46,6 +46,9 @@ final class ChosenShape {
   static PointDocument of(
       String source, Shapes shapes, boolean yUp, Choice choice, Progress progress) {
     Shapes apart = choice.touch().split(shapes, progress);
+    if (ChosenRegion.isMeant(apart, choice)) {
+      return ChosenRegion.of(source, apart, yUp, choice, progress);
+    }
     return new ChosenShape(source, apart, yUp, choice).document(progress);
   }
 
@@ -88,6 +91,7 @@ final class ChosenShape {
         choice.otherwise(),
         kept.points(),
         kept.lines(),
+        Optional.empty(),
         Optional.empty(),
         notes,
         isOwn(),

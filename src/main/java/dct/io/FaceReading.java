@@ -16,6 +16,7 @@ import dct.problem.verify.ClaimedEdges;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Restoration;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -34,11 +35,23 @@ final class FaceReading {
   private final Domain domain;
   private final Shape shape; // in the order of the rim
   private final ClaimedEdges edges;
+  private final List<int[]> rings; // of a region
+
+  /** The triangles of a region with these rings, the outer one first. */
+  FaceReading(String source, Shape shape, StoredFaces faces, List<int[]> rings) {
+    this.source = source;
+    this.faces = faces;
+    this.domain = Domain.REGION;
+    this.rings = rings;
+    this.shape = shape;
+    this.edges = faces.edges();
+  }
 
   FaceReading(String source, Shape shape, StoredFaces faces, Domain domain) {
     this.source = source;
     this.faces = faces;
     this.domain = domain;
+    this.rings = List.of();
     int[] rim = faces.rim().ring();
     boolean inOrder = domain == Domain.SITES || rim.length == 0 || isInOrder(rim);
     this.shape = inOrder ? shape : along(rim, shape);
@@ -116,12 +129,18 @@ final class FaceReading {
   /** Where there are several rims it says so. */
   private NoTriangulation incomplete(int line, String why) {
     int rims = faces.rim().rings().size();
-    String holes = " rims, and triangulations with holes are not read yet";
-    return none(line, rims > 1 ? why + ", as at a hole: there are " + rims + holes : why);
+    boolean isHole = rims > 1 && domain != Domain.REGION;
+    String holes = " rims; read it by --as region";
+    return none(line, isHole ? why + ", as at a hole: there are " + rims + holes : why);
   }
 
   private Claims claims() {
-    Map<String, Object> values = Map.of("kind", domain.word(), "algorithm", Method.UNKNOWN);
+    Map<String, Object> values = new HashMap<>();
+    values.put("kind", domain.word());
+    values.put("algorithm", Method.UNKNOWN);
+    if (domain == Domain.REGION) {
+      values.put("rings", rings);
+    }
     return new Claims(source, values, shape.points(), shape.lines(), edges, null, List.of());
   }
 

@@ -26,7 +26,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * Reads the program's own JSON: a whole result, or just {@code {"kind": …, "points": [[x, y], …]}}.
+ * Reads the program's own JSON: a whole result, or just {@code {"kind": …, "points": [[x, y], …]}},
+ * of a region with {@code "rings"} and {@code "fixed"}.
  *
  * <p>Fields that the program does not know are skipped. Linear.
  */
@@ -34,13 +35,17 @@ final class JsonText {
   private static final String FORM = "write \"points\": [[x, y], …]";
   private static final String POINT_WRONG = "a point is not a pair of numbers%s; " + FORM;
   private static final String EDGE_FORM =
-      "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\" as the third";
+      "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\","
+          + " \"fixed\" as the third";
   private static final String EDGE_WRONG = "an edge is not of the known form%s; " + EDGE_FORM;
   private static final String FLIP_FORM = "write [u, v, x, y] where the edge u v became x y";
   private static final String FLIP_WRONG = "a flip is not four vertex numbers%s; " + FLIP_FORM;
 
-  private static final String PAIR_WRONG =
-      "\"" + ResultJson.GIVEN_EDGES + "\" is not a list of pairs%s; write [[u, v], …]";
+  private static final String PAIR_WRONG = "it is not a list of pairs%s; write [[u, v], …]";
+  private static final String RINGS_WRONG =
+      "\"rings\" is not a list of lists of vertices%s; write [[u, v, w, …], …], the outer ring first";
+  private static final String SIZES_WRONG =
+      "\"ringSizes\" is not a list of whole numbers%s; write [h0, h1, …]";
   private static final String WINDOW_FORM =
       "write {\"windows\": [{\"unmet\": 1, \"sites\": [0, 1, …]}, …]}";
   private static final String CERTIFICATE_WRONG =
@@ -120,13 +125,15 @@ final class JsonText {
       case "flipList" -> readFlips();
       case "certificate" -> readCertificate();
       case "kind" -> readKind();
-      case ResultJson.GIVEN_EDGES -> values.put(field, pairs());
+      case ResultJson.GIVEN_EDGES, "fixed" -> values.put(field, pairs(field));
+      case "rings" -> values.put(field, rings());
+      case "ringSizes" -> values.put(field, numbers(SIZES_WRONG));
       default -> readValue(field);
     }
   }
 
   private void readKind() throws IOException {
-    String cure = "write \"kind\": \"polygon\" or \"kind\": \"points\"";
+    String cure = "write \"kind\": \"polygon\", \"points\" or \"region\"";
     require(JsonToken.STRING, "\"kind\" is not a text; " + cure);
     String kind = json.nextString();
     if (Domain.parse(kind).isEmpty()) {
@@ -211,19 +218,42 @@ final class JsonText {
     json.endArray();
   }
 
-  private int[] pairs() throws IOException {
+  private int[] pairs(String field) throws IOException {
+    String wrong = PAIR_WRONG.replace("it ", "\"" + field + "\" ");
     IntStream.Builder ends = IntStream.builder();
-    require(JsonToken.BEGIN_ARRAY, PAIR_WRONG);
+    require(JsonToken.BEGIN_ARRAY, wrong);
     json.beginArray();
     while (json.hasNext()) {
-      require(JsonToken.BEGIN_ARRAY, PAIR_WRONG);
+      require(JsonToken.BEGIN_ARRAY, wrong);
       json.beginArray();
-      ends.add(vertex(PAIR_WRONG)).add(vertex(PAIR_WRONG));
-      require(JsonToken.END_ARRAY, PAIR_WRONG);
+      ends.add(vertex(wrong)).add(vertex(wrong));
+      require(JsonToken.END_ARRAY, wrong);
       json.endArray();
     }
     json.endArray();
     return ends.build().toArray();
+  }
+
+  private List<int[]> rings() throws IOException {
+    List<int[]> rings = new ArrayList<>();
+    require(JsonToken.BEGIN_ARRAY, RINGS_WRONG);
+    json.beginArray();
+    while (json.hasNext()) {
+      rings.add(numbers(RINGS_WRONG));
+    }
+    json.endArray();
+    return rings;
+  }
+
+  private int[] numbers(String wrong) throws IOException {
+    IntStream.Builder numbers = IntStream.builder();
+    require(JsonToken.BEGIN_ARRAY, wrong);
+    json.beginArray();
+    while (json.hasNext()) {
+      numbers.add(vertex(wrong));
+    }
+    json.endArray();
+    return numbers.build().toArray();
   }
 
   private void readCertificate() throws IOException {

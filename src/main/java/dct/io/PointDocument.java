@@ -5,6 +5,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
 import dct.io.text.BadInputException;
@@ -35,6 +36,7 @@ public final class PointDocument {
   private final Domain domain;
   private final Points points;
   private final int[] lines; // the line of each point
+  private final Optional<Rings> rings; // of a region, through these points
   private final Optional<Claims> claims; // what a file of JSON says, and whatever else it holds
   private final List<String> notes;
   private final boolean own;
@@ -47,6 +49,7 @@ public final class PointDocument {
       Domain otherwise,
       Points points,
       int[] lines,
+      Optional<Rings> rings,
       Optional<Claims> claims,
       List<String> notes,
       boolean own,
@@ -57,6 +60,7 @@ public final class PointDocument {
     this.domain = declared.orElse(otherwise);
     this.points = points;
     this.lines = lines;
+    this.rings = rings;
     this.claims = claims;
     this.notes = List.copyOf(notes);
     this.own = own;
@@ -67,7 +71,17 @@ public final class PointDocument {
   /** The same with a triangulation of its points that the file holds. */
   PointDocument triangulated(Solution solution) {
     return new PointDocument(
-        source, declared, domain, points, lines, claims, notes, own, yUp, Optional.of(solution));
+        source,
+        declared,
+        domain,
+        points,
+        lines,
+        rings,
+        claims,
+        notes,
+        own,
+        yUp,
+        Optional.of(solution));
   }
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
@@ -80,6 +94,7 @@ public final class PointDocument {
         domain,
         points,
         lines,
+        Optional.empty(),
         Optional.empty(),
         List.of(),
         true,
@@ -99,11 +114,22 @@ public final class PointDocument {
         choice.otherwise(),
         claims.points(),
         claims.lines(),
+        rings(claims, choice),
         Optional.of(claims).filter(said -> fits(said, choice.as())),
         List.of(),
         true,
         false,
         Optional.empty());
+  }
+
+  private static Optional<Rings> rings(Claims claims, Choice choice) {
+    boolean isRegion = choice.as().or(claims::domain).orElse(choice.otherwise()) == Domain.REGION;
+    try {
+      return isRegion ? Optional.of(claims.rings()) : Optional.empty();
+    } catch (FalseClaim e) {
+      String cure = "; correct \"rings\" and \"fixed\"";
+      throw new BadInputException(claims.source(), e.line(), e.getMessage() + cure);
+    }
   }
 
   private static boolean fits(Claims claims, Optional<Domain> as) {
@@ -148,6 +174,11 @@ public final class PointDocument {
     return points;
   }
 
+  /** The rings through the points, and the fixed edges, if it is a region. */
+  public Optional<Rings> rings() {
+    return rings;
+  }
+
   /** The line of the file that point i stands on, from 1 on. */
   public int line(int i) {
     return lines[i];
@@ -161,7 +192,9 @@ public final class PointDocument {
    */
   public Instance instance(Progress progress) {
     try {
-      return Instance.of(domain, source, points, progress);
+      return rings.isPresent()
+          ? Instance.of(source, rings.get(), progress)
+          : Instance.of(domain, source, points, progress);
     } catch (InvalidGeometryException e) {
       String sites = declared.isEmpty() && couldBeSites(progress) ? SITES_HINT : "";
       throw bad(e.defect(), touchHint(e.defect()) + sites);
@@ -242,9 +275,14 @@ public final class PointDocument {
     }
   }
 
-  private static String touchHint(Defect defect) {
+  /** What can be made of a ring that meets itself; nothing is made of two that meet. */
+  private String touchHint(Defect defect) {
+    boolean isOneRing =
+        rings.isEmpty()
+            || (rings.get().isOnRing(defect.first())
+                && rings.get().ringOf(defect.first()) == rings.get().ringOf(defect.second()));
     return switch (defect.kind()) {
-      case DUPLICATE, TOUCH -> TOUCH_HINT;
+      case DUPLICATE, TOUCH -> isOneRing ? TOUCH_HINT : "";
       default -> "";
     };
   }

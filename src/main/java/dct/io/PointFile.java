@@ -2,6 +2,7 @@ package dct.io;
 
 import dct.core.Progress;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
@@ -173,7 +174,21 @@ public final class PointFile {
   public static void write(Path file, PointDocument document, Progress progress)
       throws CannotWriteException {
     String head = head(file, document.declared());
-    AtomicFile.write(file, progress, out -> write(out, head, document.points(), progress));
+    AtomicFile.write(
+        file,
+        progress,
+        out -> {
+          if (document.rings().isPresent()) {
+            RegionText.write(out, document.rings().get(), progress);
+          } else {
+            write(out, head, document.points(), progress);
+          }
+        });
+  }
+
+  /** Writes a region as text, whole or not at all. */
+  public static void write(Path file, Rings rings, Progress progress) throws CannotWriteException {
+    AtomicFile.write(file, progress, out -> RegionText.write(out, rings, progress));
   }
 
   /** Writes points as text to a stream, behind a comment that says what they are. */
@@ -183,6 +198,10 @@ public final class PointFile {
 
   /** Writes the points of a document as text to a stream. */
   public static void write(OutputStream out, PointDocument document) throws IOException {
+    if (document.rings().isPresent()) {
+      RegionText.write(out, document.rings().get(), Progress.NONE);
+      return;
+    }
     String head = document.declared().map(PointFile::kindLine).orElse("");
     write(out, head, document.points(), Progress.NONE);
   }

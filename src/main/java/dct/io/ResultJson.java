@@ -14,9 +14,12 @@ import dct.core.degree.Preference;
 import dct.core.degree.Preferred;
 import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import dct.io.text.BadInputException;
+import dct.problem.Instance;
 import dct.problem.Solution;
 import dct.problem.verify.Claims;
 import dct.problem.verify.WishLetters;
@@ -32,8 +35,11 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Results as JSON: the summary alone, or with all points, edges and flips.
@@ -146,6 +152,9 @@ public final class ResultJson {
           json.summaryFields(solution, millis);
           json.searchFields(solution);
           json.wishes(DRAWN_WISHES, wishes, goal(solution));
+          if (solution.instance() instanceof Instance.OfRegion of) {
+            json.rings(walks(of.region()), of.region().rings());
+          }
           json.points(solution.instance().points());
           json.edges(solution.triangulation());
           json.given(solution.preferred().map(Preferred::preference));
@@ -179,6 +188,9 @@ public final class ResultJson {
         json -> {
           if (document.declared().isPresent()) {
             json.json.name("kind").value(document.declared().get().word());
+          }
+          if (document.rings().isPresent()) {
+            json.rings(asGiven(document.rings().get()), document.rings().get());
           }
           json.points(document.points());
         });
@@ -243,6 +255,9 @@ public final class ResultJson {
     json.name("edges").value(triangulation.edgeCount());
     json.name("triangles").value(triangulation.triangleCount());
     json.name("boundary").value(triangulation.boundaryCount());
+    if (solution.instance() instanceof Instance.OfRegion of) {
+      ringSizes(of.region().rings());
+    }
     json.name("even").value(degrees.even());
     json.name("odd").value(degrees.odd());
     if (solution.flips().isPresent()) {
@@ -343,6 +358,48 @@ public final class ResultJson {
       text.append(triangulation.to(edge)).append(", \"");
       text.append(triangulation.kind(edge).word()).append("\"]");
       json.jsonValue(text.toString());
+    }
+    endLines();
+  }
+
+  /** The vertices of each ring, with the region on its left. */
+  private static List<int[]> walks(Region region) {
+    List<int[]> walks = new ArrayList<>();
+    int first = 0;
+    for (int r = 0; r < region.rings().count(); r++) {
+      int[] walk = new int[region.rings().size(r)];
+      int position = first;
+      for (int k = 0; k < walk.length; k++) {
+        walk[k] = region.vertex(position);
+        position = region.after(position);
+      }
+      walks.add(walk);
+      first += walk.length;
+    }
+    return walks;
+  }
+
+  private static List<int[]> asGiven(Rings rings) {
+    return IntStream.range(0, rings.count()).mapToObj(rings::ring).toList();
+  }
+
+  private void ringSizes(Rings rings) throws IOException {
+    json.name("ringSizes").beginArray();
+    for (int r = 0; r < rings.count(); r++) {
+      json.value(rings.size(r));
+    }
+    json.endArray();
+  }
+
+  private void rings(List<int[]> walks, Rings rings) throws IOException {
+    beginLines("rings");
+    for (int[] walk : walks) {
+      json.jsonValue("\n" + Arrays.toString(walk));
+    }
+    endLines();
+    beginLines("fixed");
+    for (int j = 0; j < rings.fixedCount(); j++) {
+      json.jsonValue("\n[" + rings.fixedFrom(j) + ", " + rings.fixedTo(j) + "]");
     }
     endLines();
   }

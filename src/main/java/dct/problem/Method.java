@@ -3,7 +3,7 @@ package dct.problem;
 import dct.core.Progress;
 import dct.core.degree.OddFan;
 import dct.core.degree.PartitioningAqt;
-import dct.core.geometry.SimplePolygon;
+import dct.core.geometry.Region;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
@@ -16,12 +16,12 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The ways to triangulate an instance; the first of each domain is its default. Menus, the option
- * {@code --algorithm}, result files and studies all take theirs from this list.
+ * The ways to triangulate an instance; the first that is for a domain is its default. Menus, the
+ * option {@code --algorithm}, result files and studies all take theirs from this list.
  */
 public enum Method {
   MONOTONE(
-      Domain.POLYGON,
+      Scope.OUTLINES,
       Promise.MONOTONE_PIECES,
       "monotone",
       "Monotone",
@@ -29,7 +29,7 @@ public enum Method {
       "Algorithms 2.2 and 2.3",
       "Cuts the polygon into monotone pieces and triangulates each"),
   EAR_CLIPPING(
-      Domain.POLYGON,
+      Scope.OUTLINES,
       Promise.TRIANGULATION,
       "ear-clipping",
       "Ear clipping",
@@ -37,7 +37,7 @@ public enum Method {
       "Algorithm 2.1",
       "Cuts off one ear of the polygon after the other"),
   CONVEX_EVEN(
-      Domain.POLYGON,
+      Scope.OUTLINES,
       Promise.CONVEX_PIECES,
       "convex-even",
       "Partitioning-AQT",
@@ -45,7 +45,7 @@ public enum Method {
       "Algorithm 3.3",
       "Cuts the polygon into convex pieces and makes most vertices of each even"),
   CONVEX_ODD(
-      Domain.POLYGON,
+      Scope.OUTLINES,
       Promise.CONVEX_PIECES,
       "convex-odd",
       "Odd fans",
@@ -53,7 +53,7 @@ public enum Method {
       "Table 4.3",
       "Cuts the polygon into convex pieces and makes most vertices of each odd"),
   DELAUNAY(
-      Domain.SITES,
+      Scope.SITES,
       Promise.EMPTY_CIRCLES,
       "delaunay",
       "Delaunay",
@@ -63,6 +63,21 @@ public enum Method {
 
   /** What stands in files in place of {@link #word} where the method is not known. */
   public static final String UNKNOWN = "unknown";
+
+  /** The domains that a method is for. */
+  private enum Scope {
+    /** Polygons and regions. */
+    OUTLINES,
+    /** Sites. */
+    SITES;
+
+    boolean holds(Domain domain) {
+      return switch (this) {
+        case OUTLINES -> domain != Domain.SITES;
+        case SITES -> domain == Domain.SITES;
+      };
+    }
+  }
 
   /** What a method promises of every triangulation that it makes. */
   public enum Promise {
@@ -76,7 +91,7 @@ public enum Method {
     EMPTY_CIRCLES
   }
 
-  private final Domain domain;
+  private final Scope scope;
   private final Promise promise;
   private final String word;
   private final String algorithm;
@@ -85,14 +100,14 @@ public enum Method {
   private final String description;
 
   Method(
-      Domain domain,
+      Scope scope,
       Promise promise,
       String word,
       String algorithm,
       String title,
       String source,
       String description) {
-    this.domain = domain;
+    this.scope = scope;
     this.promise = promise;
     this.word = word;
     this.algorithm = algorithm;
@@ -101,9 +116,14 @@ public enum Method {
     this.description = description;
   }
 
-  /** What it triangulates. */
-  public Domain domain() {
-    return domain;
+  /** Whether it triangulates instances of this domain. */
+  public boolean isFor(Domain domain) {
+    return scope.holds(domain);
+  }
+
+  /** The application of the thesis that it belongs to: polygons or sites, or else regions. */
+  public Domain application() {
+    return Domain.applications().stream().filter(scope::holds).findFirst().orElse(Domain.REGION);
   }
 
   /** What it promises of every triangulation that it makes. */
@@ -147,38 +167,45 @@ public enum Method {
   }
 
   /**
-   * Triangulates an instance of this method's domain.
+   * Triangulates an instance of one of this method's domains.
    *
-   * @throws IllegalArgumentException if the instance is of the other domain
+   * @throws IllegalArgumentException if the instance is of another domain
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   public Triangulation run(Instance instance, Progress progress) {
     return switch (this) {
-      case MONOTONE -> MonotoneTriangulation.triangulate(polygon(instance), progress);
-      case EAR_CLIPPING -> EarClipping.triangulate(polygon(instance), progress);
-      case CONVEX_EVEN -> PartitioningAqt.triangulate(polygon(instance), progress);
-      case CONVEX_ODD -> OddFan.triangulate(polygon(instance), progress);
+      case MONOTONE -> MonotoneTriangulation.triangulate(region(instance), progress);
+      case EAR_CLIPPING -> EarClipping.triangulate(region(instance), progress);
+      case CONVEX_EVEN -> PartitioningAqt.triangulate(region(instance), progress);
+      case CONVEX_ODD -> OddFan.triangulate(region(instance), progress);
       case DELAUNAY -> Delaunay.triangulate(sites(instance), progress);
     };
   }
 
-  private SimplePolygon polygon(Instance instance) {
+  private Region region(Instance instance) {
     if (instance instanceof Instance.OfPolygon of) {
-      return of.polygon();
+      return Region.of(of.polygon());
     }
-    throw new IllegalArgumentException(word + " is not for " + instance.domain().word());
+    if (instance instanceof Instance.OfRegion of) {
+      return of.region();
+    }
+    throw notFor(instance);
   }
 
   private Sites sites(Instance instance) {
     if (instance instanceof Instance.OfSites of) {
       return of.sites();
     }
-    throw new IllegalArgumentException(word + " is not for " + instance.domain().word());
+    throw notFor(instance);
+  }
+
+  private IllegalArgumentException notFor(Instance instance) {
+    return new IllegalArgumentException(word + " is not for " + instance.domain().word());
   }
 
   /** The methods for a domain, the default first. */
   public static List<Method> of(Domain domain) {
-    return Arrays.stream(values()).filter(method -> method.domain == domain).toList();
+    return Arrays.stream(values()).filter(method -> method.isFor(domain)).toList();
   }
 
   /** The method for a domain unless another is asked for. */

@@ -12,6 +12,7 @@ import dct.core.degree.Preferred;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.BoundaryColouring;
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.Optional;
 
@@ -246,14 +247,20 @@ public record Solution(
 
   /**
    * A number of odd vertices that no triangulation of the instance goes below: what the optimizer
-   * proved, or else that of the boundary count ({@link BoundaryColouring}).
+   * proved, or else that of the boundary count ({@link BoundaryColouring}), or of a region that
+   * which takes linear time.
    */
   public LowerBound oddBound() {
     return optimum
         .filter(best -> best.goal().isAll(Wish.EVEN))
         .map(Optimum::bound)
-        .orElseGet(
-            () -> BoundaryColouring.allEven(triangulation.boundaryCount(), "boundary vertices"));
+        .orElseGet(this::quickOddBound);
+  }
+
+  private LowerBound quickOddBound() {
+    return instance.domain() == Domain.REGION
+        ? instance.with(ParityGoal.allEven(instance.size())).quickBound(triangulation)
+        : BoundaryColouring.allEven(triangulation.boundaryCount(), "boundary vertices");
   }
 
   /**

@@ -44,7 +44,7 @@ final class Legend {
     Collections.reverse(strokes);
     for (Stroke stroke : strokes) {
       boolean isCommon = isComparison && stroke.ink() == Ink.PROPOSED;
-      String word = isCommon ? "In both" : word(stroke.ink(), scene.isPolygon());
+      String word = isCommon ? "In both" : word(stroke.ink(), scene.hasInside());
       if (!word.isEmpty()) {
         entries.add(new Entry(Shape.LINE, stroke, word));
       }
@@ -69,10 +69,10 @@ final class Legend {
         .anyMatch(ink -> ink == Ink.FIRST || ink == Ink.SECOND);
   }
 
-  private static String word(Ink ink, boolean polygon) {
+  private static String word(Ink ink, boolean inside) {
     return switch (ink) {
-      case BOUNDARY -> polygon ? "Boundary" : "Hull";
-      case DIAGONAL -> polygon ? "Diagonal" : "Edge";
+      case BOUNDARY -> inside ? "Boundary" : "Hull";
+      case DIAGONAL -> inside ? "Diagonal" : "Edge";
       case PARTITION -> "Partition";
       case FLIPPED -> "Flipped";
       case FIXED -> "Fixed";

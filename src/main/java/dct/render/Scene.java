@@ -10,6 +10,7 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.MovedSite;
@@ -20,6 +21,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -58,6 +60,7 @@ public final class Scene {
 
   private final Points points;
   private final boolean polygon; // whether the points, in order, are the corners of one
+  private final int[] walk; // of a region: along all its rings, see RingWalk; else null
   private final List<EdgeLayer> layers;
   private final int[] degrees; // by vertex; null while nothing is triangulated
   private final List<String> counts;
@@ -77,8 +80,20 @@ public final class Scene {
       int[] degrees,
       List<String> counts,
       List<Defect> defects) {
+    this(points, polygon, null, layers, degrees, counts, defects);
+  }
+
+  private Scene(
+      Points points,
+      boolean polygon,
+      int[] walk,
+      List<EdgeLayer> layers,
+      int[] degrees,
+      List<String> counts,
+      List<Defect> defects) {
     this.points = points;
     this.polygon = polygon;
+    this.walk = walk;
     this.layers = List.copyOf(layers);
     this.degrees = degrees;
     this.counts = List.copyOf(counts);
@@ -106,6 +121,7 @@ public final class Scene {
       ScenePatch patch) {
     this.points = scene.points;
     this.polygon = scene.polygon;
+    this.walk = scene.walk;
     this.layers = scene.layers;
     this.degrees = scene.degrees;
     this.counts = List.copyOf(counts);
@@ -176,6 +192,7 @@ public final class Scene {
     return new Scene(
         triangulation.points(),
         triangulation.domain() == Domain.POLYGON,
+        triangulation.domain() == Domain.REGION ? RingWalk.of(triangulation.dcel()) : null,
         layers(triangulation),
         degrees(triangulation),
         counts,
@@ -235,6 +252,28 @@ public final class Scene {
     }
     List<EdgeLayer> layers = List.of(closing, chain, defectLayer(defects));
     return new Scene(points, true, layers, null, List.of(), defects);
+  }
+
+  /** A region that is not triangulated. */
+  public static Scene region(Rings rings) {
+    EdgeLayer outline = new EdgeLayer(OUTLINE, rings.ringVertices());
+    for (int r = 0; r < rings.count(); r++) {
+      for (int v : rings.ring(r)) {
+        outline.add(v, rings.after(v));
+      }
+    }
+    EdgeLayer fixed = new EdgeLayer(STROKES.get(EdgeKind.FIXED), rings.fixedCount());
+    for (int j = 0; j < rings.fixedCount(); j++) {
+      fixed.add(rings.fixedFrom(j), rings.fixedTo(j));
+    }
+    return new Scene(
+        rings.points(),
+        false,
+        RingWalk.of(rings),
+        List.of(fixed, outline),
+        null,
+        List.of(),
+        List.of());
   }
 
   /**
@@ -328,6 +367,20 @@ public final class Scene {
   /** Whether the points, in their order, are the corners of a polygon. */
   public boolean isPolygon() {
     return polygon;
+  }
+
+  /** Whether it has an inside: that of a polygon or a region. */
+  boolean hasInside() {
+    return polygon || walk != null;
+  }
+
+  /** The corners of a closed walk round the inside; see {@link RingWalk}. */
+  Points inside() {
+    return walk == null
+        ? points()
+        : Points.of(
+            Arrays.stream(walk).mapToDouble(points::x).toArray(),
+            Arrays.stream(walk).mapToDouble(points::y).toArray());
   }
 
   /** The box round all vertices, or nothing if there are none. */

@@ -149,8 +149,8 @@ public final class ScenePainter {
   }
 
   private void inside() {
-    if (scene.isPolygon()) {
-      Corners corners = Corners.of(scene.points(), view, clip);
+    if (scene.hasInside()) {
+      Corners corners = Corners.of(scene.inside(), view, clip);
       if (!corners.isEmpty()) {
         pen.part(Part.POLYGON);
         pen.style(Stroke.fill(Ink.INSIDE));

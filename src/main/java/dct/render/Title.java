@@ -8,7 +8,7 @@ record Title(String title, String description) {
   /** The name of what is drawn, and its numbers. */
   static Title of(String name, Scene scene) {
     String what =
-        (scene.isPolygon() ? "A polygon of " : "Sites: ")
+        kind(scene)
             + scene.size()
             + (scene.size() == 1 ? " vertex, " : " vertices, ")
             + scene.edgeCount()
@@ -17,5 +17,12 @@ record Title(String title, String description) {
     return new Title(
         name.isEmpty() ? "Degree constrained triangulation" : name,
         counts.isEmpty() ? what : what + ". " + counts);
+  }
+
+  private static String kind(Scene scene) {
+    if (scene.isPolygon()) {
+      return "A polygon of ";
+    }
+    return scene.hasInside() ? "A region of " : "Sites: ";
   }
 }

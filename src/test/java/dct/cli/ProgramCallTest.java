@@ -48,7 +48,8 @@ class ProgramCallTest {
     ParseResult parsed = parse(new TriangulateCommand(console()), call);
     assertThat(parsed.<String>matchedPositionalValue(0, null)).isEqualTo(FILE.toString());
     assertThat(ProgramCallTest.<String>option(parsed, "--algorithm")).isEqualTo(method.word());
-    assertThat(ProgramCallTest.<String>option(parsed, "--as")).isEqualTo(method.domain().word());
+    assertThat(ProgramCallTest.<String>option(parsed, "--as"))
+        .isEqualTo(method.application().word());
     assertThat(ProgramCallTest.<Boolean>option(parsed, "--flip")).isTrue();
     assertThat(parsed.matchedOptions()).hasSize(3);
   }

@@ -92,7 +92,7 @@ class RepeatableCallTest {
   @ParameterizedTest
   @EnumSource(Method.class)
   void methodsAndScanFlipAreRepeated(Method method) throws Exception {
-    Editor editor = saved(method.domain());
+    Editor editor = saved(method.application());
     make(editor, start(editor, method));
     assertThat(requireSame(editor)).contains(method.word()).doesNotContain("--flip");
     make(editor, start(editor, method).flipped(Progress.NONE));
@@ -102,7 +102,7 @@ class RepeatableCallTest {
   @ParameterizedTest
   @EnumSource(Method.class)
   void searchesAreRepeated(Method method) throws Exception {
-    Editor editor = saved(method.domain());
+    Editor editor = saved(method.application());
     SearchLimits limits = new SearchLimits(5, 0.5, Double.POSITIVE_INFINITY);
     make(editor, start(editor, method).optimized(limits, Progress.NONE));
     assertThat(requireSame(editor))

@@ -69,7 +69,7 @@ class FlippedResultTest {
         Arrays.stream(Method.values())
             .flatMap(
                 method -> {
-                  Instance instance = method.domain() == Domain.SITES ? sites() : polygon();
+                  Instance instance = method.application() == Domain.SITES ? sites() : polygon();
                   Solution made = Solution.of(instance, method, Progress.NONE);
                   return Stream.of(
                       new Made(method + ", by hand", flipped(made)),

@@ -39,12 +39,12 @@ class SolutionTest {
   @ParameterizedTest
   @EnumSource(Method.class)
   void everyMethodTriangulatesItsDomainAndNoOther(Method method) {
-    Instance mine = instance(method.domain());
+    Instance mine = instance(method.application());
     Solution solution = Solution.of(mine, method, Progress.NONE);
-    assertThat(solution.triangulation().domain()).isEqualTo(method.domain());
+    assertThat(solution.triangulation().domain()).isEqualTo(method.application());
     assertThat(solution.triangulation().vertexCount()).isEqualTo(mine.size());
-    assertThat(Method.of(method.domain(), method.word())).contains(method);
-    Domain other = method.domain() == Domain.POLYGON ? Domain.SITES : Domain.POLYGON;
+    assertThat(Method.of(method.application(), method.word())).contains(method);
+    Domain other = method.application() == Domain.POLYGON ? Domain.SITES : Domain.POLYGON;
     assertThat(Method.of(other, method.word())).isEmpty();
     Instance foreign = instance(other);
     assertThatThrownBy(() -> method.run(foreign, Progress.NONE))

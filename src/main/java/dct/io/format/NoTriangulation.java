@@ -22,8 +22,7 @@ public final class NoTriangulation extends UnclearInput {
   }
 
   private static String clause(String what, Domain domain) {
-    String whole = domain == Domain.POLYGON ? "polygon" : "sites";
-    return "its " + what + " are no triangulation of its " + whole + ": ";
+    return "its " + what + " are no triangulation of its " + domain.title() + ": ";
   }
 
   /** What is wrong, without file, line and cure. */

@@ -8,7 +8,17 @@ public final class SeveralShapes extends UnclearInput {
 
   /** Says how many there are and how to choose. */
   public SeveralShapes(String file, Shapes shapes) {
-    this(file, shapes, ", or read all as sites by --as points");
+    this(file, shapes, orElse(shapes) + ", or read all as sites by --as points");
+  }
+
+  /** Several regions. */
+  public static SeveralShapes ofRegions(String file, Shapes outlines) {
+    return new SeveralShapes(file, outlines, "");
+  }
+
+  private static String orElse(Shapes shapes) {
+    boolean holes = shapes.shapes().stream().anyMatch(shape -> shape.kind() == Shape.Kind.HOLE);
+    return holes ? ", read rings with their holes by --as region" : "";
   }
 
   private SeveralShapes(String file, Shapes shapes, String orElse) {

@@ -1,6 +1,7 @@
 package dct.io.format;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What was read from a file.
@@ -9,13 +10,43 @@ import java.util.List;
  * @param shapes in the order of the file, at least one
  * @param notes what was left out, a sentence each without a full stop, as {@code 3 comments and a z
  *     column left out}
+ * @param region the same as one region, if that holds more than the shapes tell
+ * @param isRegion whether the file says that the shapes are one region
  */
-public record Shapes(String format, List<Shape> shapes, List<String> notes) {
+public record Shapes(
+    String format,
+    List<Shape> shapes,
+    List<String> notes,
+    Optional<Whole> region,
+    boolean isRegion) {
 
   /** Copies the lists. */
   public Shapes {
     shapes = List.copyOf(shapes);
     notes = List.copyOf(notes);
+  }
+
+  /**
+   * What a file holds, as one region.
+   *
+   * @param notes what was left out then
+   */
+  public record Whole(RegionShape shape, List<String> notes) {
+    /** Copies the list. */
+    public Whole {
+      notes = List.copyOf(notes);
+    }
+  }
+
+  /** Shapes of which the file does not say that they are a region. */
+  public Shapes(String format, List<Shape> shapes, List<String> notes) {
+    this(format, shapes, notes, Optional.empty(), false);
+  }
+
+  /** The outlines of the regions that the shapes make, for a list. */
+  public Shapes outlines() {
+    return new Shapes(
+        format, RegionShape.all(this).stream().map(RegionShape::outline).toList(), notes);
   }
 
   /** A file with one shape, of which nothing was left out. */

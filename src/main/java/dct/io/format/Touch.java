@@ -37,7 +37,7 @@ public enum Touch {
         notes.add("A ring meets itself and is split into " + rings.size());
       }
     }
-    return new Shapes(shapes.format(), all, notes);
+    return new Shapes(shapes.format(), all, notes, shapes.region(), shapes.isRegion());
   }
 
   private static Shape part(Shape shape, int[] ring) {

@@ -3,6 +3,7 @@ package dct.problem.verify;
 import dct.core.degree.LocalBound;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.problem.Post;
 import java.util.Arrays;
@@ -21,7 +22,7 @@ import java.util.stream.Collectors;
  */
 public final class Claims {
   private final String source;
-  private final Map<String, Object> values; // by their names: texts, numbers, flags, pairs
+  private final Map<String, Object> values; // by their names: texts, numbers, flags, pairs, lists
   private final Points points;
   private final int[] pointLines;
   private final ClaimedEdges edges; // null if the file has none
@@ -32,7 +33,8 @@ public final class Claims {
    * What stands in a file.
    *
    * @param source the file's name as the user gave it, or "-" for standard input
-   * @param values strings, doubles, booleans and arrays of pairs by the names of their fields
+   * @param values strings, doubles, booleans, arrays of pairs and lists of arrays by the names of
+   *     their fields
    * @param pointLines the line of each point
    * @param edges null if the file has no list of edges
    * @param flips null if the file has no list of flips
@@ -181,6 +183,28 @@ public final class Claims {
   /** The pairs of vertices in the field of this name, one after the other, if it holds them. */
   Optional<int[]> pairs(String name) {
     return values.get(name) instanceof int[] ends ? Optional.of(ends.clone()) : Optional.empty();
+  }
+
+  /** The whole numbers in the field of this name, if it holds a list of them. */
+  Optional<int[]> numbers(String name) {
+    return pairs(name);
+  }
+
+  /** The lists of vertices in the field of this name, if it holds them. */
+  Optional<List<int[]>> lists(String name) {
+    return values.get(name) instanceof List<?> all
+        ? Optional.of(all.stream().filter(int[].class::isInstance).map(int[].class::cast).toList())
+        : Optional.empty();
+  }
+
+  /**
+   * The rings of a region, one through all points in their order where nothing is said, and its
+   * fixed edges. That they bound a region has not been checked.
+   *
+   * @throws FalseClaim if they have vertices that there are not, or one twice
+   */
+  public Rings rings() {
+    return ClaimedRings.of(this);
   }
 
   /** The truth value in the field of this name, if it is there and one. */

@@ -138,6 +138,25 @@ final class PlaneGraph {
     return Dcel.of(points.size(), HalfEdges.of(next, origin), outer(), Progress.NONE);
   }
 
+  /**
+   * The same where several cycles count as the outer face.
+   *
+   * @param cycles a half-edge of each, the one round everything first
+   */
+  Dcel toDcel(int... cycles) {
+    return Dcel.of(points.size(), HalfEdges.of(next, origin), cycles, Progress.NONE);
+  }
+
+  /** A half-edge from one vertex to another, or −1; in as many steps as the first has edges. */
+  int halfEdge(int u, int v) {
+    for (int k = first[u]; k < first[u + 1]; k++) {
+      if (target(around[k]) == v) {
+        return around[k];
+      }
+    }
+    return -1;
+  }
+
   int halfEdges() {
     return origin.length;
   }

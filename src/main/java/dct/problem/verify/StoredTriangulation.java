@@ -1,8 +1,11 @@
 package dct.problem.verify;
 
 import dct.core.Progress;
+import dct.core.dcel.Dcel;
 import dct.core.geometry.InvalidGeometryException;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
@@ -13,12 +16,22 @@ import java.util.Optional;
 /**
  * The triangulation that a result file holds, proven to be one from its points and edges alone.
  *
- * <p>That the edges triangulate the domain is proven so: the faces of the drawing, found from the
- * angles at the vertices, are counter-clockwise triangles but for one; Euler's formula makes them,
- * glued along their edges, a disk; its rim is the polygon itself or a convex polygon. A map of a
- * disk that keeps every triangle's orientation and takes the rim once round a simple polygon covers
- * each point of the inside exactly once and nothing outside. So no two edges cross, and the areas
- * add up.
+ * <p>That the edges triangulate a polygon or sites is proven so: the faces of the drawing, found
+ * from the angles at the vertices, are counter-clockwise triangles but for one; Euler's formula
+ * makes them, glued along their edges, a disk; its rim is the polygon itself or a convex polygon. A
+ * map of a disk that keeps every triangle's orientation and takes the rim once round a simple
+ * polygon covers each point of the inside exactly once and nothing outside. So no two edges cross,
+ * and the areas add up.
+ *
+ * <p>Of a region neither a disk nor Euler's formula is needed. Its rings are known to bound a
+ * region; walk each with the region on its left. Every side of a ring is an edge, and its half-edge
+ * on the other side is called outer. All other half-edges are shared out among counter-clockwise
+ * triangles, three each. In the sum of these triangles the two half-edges of every inner edge
+ * cancel, so its border is the sum of all rings. The winding number of the border round a place on
+ * no edge is the sum of those of the triangles, which is the number of triangles that hold the
+ * place; the winding number of the rings is 1 in the region and 0 elsewhere. So the triangles cover
+ * each place of the region exactly once and nothing outside. No vertex lies in a triangle or an
+ * edge of others: it has triangles of its own, and those would cover places twice.
  *
  * <p>Exact; O(n log n) time.
  */
@@ -31,6 +44,7 @@ final class StoredTriangulation {
   private Instance instance;
   private PlaneGraph graph;
   private boolean[] outer; // by half-edge: whether the outer face is on its left
+  private int[] outerCycles; // of a region: one of these half-edges by ring
   private int boundary; // edges of the outer face
 
   /** What the claims hold; nothing is checked yet. */
@@ -69,7 +83,10 @@ final class StoredTriangulation {
     FalseClaim.unless(n >= 3, "there are fewer than three vertices");
     try {
       String name = claims.text("input").orElse(claims.source());
-      instance = Instance.of(domain, name, points, progress);
+      instance =
+          domain == Domain.REGION
+              ? Instance.of(name, claims.rings(), progress)
+              : Instance.of(domain, name, points, progress);
     } catch (InvalidGeometryException e) {
       throw new FalseClaim(claims.line(e.defect().first()), e.defect().message());
     }
@@ -106,9 +123,55 @@ final class StoredTriangulation {
     if (e >= 0) {
       throw lie(e, "edge " + graph.name(e) + " lies on another edge");
     }
-    markOuter();
-    checkFaces();
-    checkRim();
+    if (instance instanceof Instance.OfRegion of) {
+      markRings(of.region());
+      checkRegionFaces();
+      checkFixed(of.region());
+    } else {
+      markOuter();
+      checkFaces();
+      checkRim();
+    }
+  }
+
+  /** Marks the half-edges on the other side of the rings; all of these are edges. */
+  private void markRings(Region region) {
+    outer = new boolean[graph.halfEdges()];
+    Rings rings = region.rings();
+    outerCycles = new int[rings.count()];
+    for (int position = 0; position < region.positions(); position++) {
+      int u = region.vertex(position);
+      int v = region.vertex(region.after(position));
+      int e = graph.halfEdge(v, u);
+      FalseClaim.unless(e >= 0, claims.line(u), "edge v" + u + "–v" + v + " of a ring is missing");
+      outer[e] = true;
+      outerCycles[rings.ringOf(u)] = e;
+      boundary++;
+    }
+  }
+
+  private void checkRegionFaces() {
+    for (int e = 0; e < graph.halfEdges(); e++) {
+      if (!outer[e] && (!graph.isTriangle(e) || outer[graph.next(e)])) {
+        String why =
+            outer[e ^ 1]
+                ? "inside of edge " + graph.name(e ^ 1) + " of a ring is no triangle"
+                : "on one side of edge " + graph.name(e) + " is no triangle of the region";
+        throw lie(e, why);
+      }
+    }
+  }
+
+  private void checkFixed(Region region) {
+    Rings rings = region.rings();
+    for (int j = 0; j < rings.fixedCount(); j++) {
+      int u = rings.fixedFrom(j);
+      int v = rings.fixedTo(j);
+      FalseClaim.unless(
+          graph.halfEdge(u, v) >= 0,
+          claims.line(u),
+          "the fixed edge v" + u + "–v" + v + " is missing");
+    }
   }
 
   private void checkEnds() {
@@ -164,7 +227,7 @@ final class StoredTriangulation {
         switch (domain) {
           case POLYGON -> checkSide(e);
           case SITES -> turns += rimTurn(e);
-          case REGION -> {}
+          case REGION -> throw new IllegalStateException("a region has rings");
         }
       }
     }
@@ -172,7 +235,7 @@ final class StoredTriangulation {
         switch (domain) {
           case POLYGON -> boundary == n;
           case SITES -> turns == 2;
-          case REGION -> false; // its rings are not read yet
+          case REGION -> false;
         };
     FalseClaim.unless(whole, "the rim is not that of the domain");
   }
@@ -220,7 +283,7 @@ final class StoredTriangulation {
     return graph;
   }
 
-  /** The number of edges on the rim, which is that of the vertices there. */
+  /** The number of edges on the rim or the rings, which is that of the vertices there. */
   int boundary() {
     return boundary;
   }
@@ -233,13 +296,24 @@ final class StoredTriangulation {
     return outer[2 * edge] || outer[2 * edge + 1];
   }
 
+  /** Whether the instance has this edge fixed. */
+  boolean isFixed(int u, int v) {
+    return instance instanceof Instance.OfRegion of && of.region().isFixed(u, v);
+  }
+
+  /** The number of holes. */
+  int holes() {
+    return instance instanceof Instance.OfRegion of ? of.region().holes() : 0;
+  }
+
   boolean isFlipped(int edge) {
     return claims.edges().kind(edge) == EdgeKind.FLIPPED;
   }
 
   /** The triangulation, its edges in the order of the file. */
   Triangulation triangulation() {
-    return new Triangulation(domain, points, graph.toDcel(), claims.edges()::kind);
+    Dcel dcel = outerCycles == null ? graph.toDcel() : graph.toDcel(outerCycles);
+    return new Triangulation(domain, points, dcel, claims.edges()::kind);
   }
 
   /** The edges before the flips that the kinds of the edges tell of. */

@@ -1,7 +1,9 @@
 package dct.problem.verify;
 
 import dct.core.Progress;
+import dct.core.degree.Flip;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
@@ -59,6 +61,9 @@ public final class Verifier {
     try {
       check("the form", this::checkForm);
       check("the points", () -> stored.checkPoints(progress));
+      if (stored.instance() instanceof Instance.OfRegion of) {
+        check("the rings", () -> ClaimedRings.check(claims, of.region()));
+      }
       checkInput();
       check("a triangulation of the domain", () -> stored.checkTriangulation(progress));
       check("the counts", this::checkCounts);
@@ -108,6 +113,9 @@ public final class Verifier {
           List.of("satisfied", "unsatisfied", "unsatisfiedLowerBound", "wishes"),
           "no text holds the wishes");
     }
+    if (stored.domain() != Domain.REGION) {
+      refuse(ClaimedRings.fields(), "the result is not of a region");
+    }
     checkPreference();
   }
 
@@ -152,7 +160,31 @@ public final class Verifier {
           claims.line(v),
           "vertex v" + v + " is elsewhere in " + name);
     }
+    if (given instanceof Instance.OfRegion other
+        && stored.instance() instanceof Instance.OfRegion of) {
+      compare(of.region(), other.region(), name);
+    }
     claim("merged", given.merged());
+  }
+
+  /** Compares rings and fixed edges, however the rings run and wherever they begin. */
+  private static void compare(Region mine, Region its, String name) {
+    boolean isSame =
+        mine.positions() == its.positions()
+            && mine.rings().fixedCount() == its.rings().fixedCount();
+    for (int p = 0; p < mine.positions() && isSame; p++) {
+      int v = mine.vertex(p);
+      isSame =
+          its.rings().isOnRing(v)
+              && its.vertex(its.after(its.position(v))) == mine.vertex(mine.after(p))
+              && (its.rings().ringOf(v) == 0) == (mine.rings().ringOf(v) == 0);
+    }
+    FalseClaim.unless(isSame, "the rings are not those of " + name);
+    for (int j = 0; j < mine.rings().fixedCount(); j++) {
+      int u = mine.rings().fixedFrom(j);
+      int v = mine.rings().fixedTo(j);
+      FalseClaim.unless(its.isFixed(u, v), "edge v" + u + "–v" + v + " is not fixed in " + name);
+    }
   }
 
   private void checkCounts() {
@@ -161,7 +193,7 @@ public final class Verifier {
     claim("vertices", n);
     claim("edges", edges);
     claim("boundary", stored.boundary());
-    claim("triangles", edges - n + 1L);
+    claim("triangles", edges - n + 1L - stored.holes()); // Euler's formula
   }
 
   private void checkKinds() {
@@ -176,6 +208,7 @@ public final class Verifier {
           rim == (kind == EdgeKind.BOUNDARY),
           line,
           edge + (rim ? "on the boundary" : "not on the boundary"));
+      checkFixed(i, edge);
       FalseClaim.unless(
           kind != EdgeKind.PARTITION || partitions,
           line,
@@ -187,9 +220,29 @@ public final class Verifier {
     }
   }
 
+  private void checkFixed(int i, String edge) {
+    boolean isFixed = stored.isFixed(claims.edges().from(i), claims.edges().to(i));
+    FalseClaim.unless(
+        isFixed == (claims.edges().kind(i) == EdgeKind.FIXED),
+        claims.edges().line(i),
+        edge + (isFixed ? "fixed" : "not fixed"));
+  }
+
+  /** Checks that no flip is listed that removed or made a fixed edge. */
+  private void checkFlipsOfFixed() {
+    for (int i = 0; i < claims.flips().size(); i++) {
+      Flip flip = claims.flips().flip(i);
+      FalseClaim.unless(
+          !stored.isFixed(flip.u(), flip.v()) && !stored.isFixed(flip.x(), flip.y()),
+          claims.flips().line(i),
+          flip + " cannot have been a flip: one of its edges is fixed");
+    }
+  }
+
   private void checkFlips() {
     int count;
     if (claims.hasFlips()) {
+      checkFlipsOfFixed();
       FlipListUndo undone = stored.undoListedFlips();
       count = undone.count();
       before = graph(undone.result().before());

@@ -38,6 +38,10 @@ public final class DocumentFile {
 
   private static final String DEVICE = "it is a device or a pipe, which may never end";
 
+  private static final String REGION =
+      "it holds a region with holes, sites or fixed edges inside, which the window does not show;"
+          + " triangulate it by dct triangulate";
+
   private DocumentFile() {}
 
   /**
@@ -71,6 +75,9 @@ public final class DocumentFile {
     if (points.size() == 0) {
       throw new BadInputException(
           file.toString(), 0, "there are no points in it; choose another file");
+    }
+    if (read.domain() == Domain.REGION) {
+      throw new BadInputException(file.toString(), 0, REGION);
     }
     return read(read, new Origin(file, stamp), progress);
   }

@@ -52,7 +52,12 @@ public record ProgramCall(List<String> words) {
   /** A file, triangulated by a method. */
   public static ProgramCall triangulate(Path file, Method method) {
     return of(
-        "triangulate", name(file), "--as", method.domain().word(), "--algorithm", method.word());
+        "triangulate",
+        name(file),
+        "--as",
+        method.application().word(),
+        "--algorithm",
+        method.word());
   }
 
   /** This call with Scan-Flip on what the method made. */

@@ -1,6 +1,7 @@
 package dct.io.format.mesh;
 
 import dct.core.geometry.Points;
+import dct.io.format.CannotHold;
 import dct.io.format.Drawing;
 import dct.io.format.TextOut;
 import java.io.IOException;
@@ -42,7 +43,12 @@ public final class MeshWriter {
     faces(triangles(drawing), "f", 1, out);
   }
 
-  private static boolean isFace(Drawing drawing) {
+  /** Whether there is a polygon that is not triangulated. */
+  private static boolean isFace(Drawing drawing) throws CannotHold {
+    if (drawing.rings().isPresent() && drawing.solution().isEmpty()) {
+      throw new CannotHold(
+          "it holds no region that is not triangulated; triangulate first, or choose .txt or .poly");
+    }
     return drawing.isRing() && drawing.solution().isEmpty() && drawing.points().size() > 2;
   }
 

@@ -4,6 +4,7 @@ import dct.io.format.Format;
 import dct.io.format.Head;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
+import dct.io.format.RegionShape;
 import dct.io.format.Rim;
 import dct.io.format.Rows;
 import dct.io.format.Shape;
@@ -11,15 +12,17 @@ import dct.io.format.Shapes;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
  * Vertices of Shewchuk's Triangle ({@code .node}), and segments between them ({@code .poly}), which
- * are chained to rings. A ring in which a hole's point lies is a hole. Attributes and markers are
- * left out.
+ * are chained to rings. A ring in which a hole's point lies is a hole. Read as a region, {@link
+ * Segments} tells which of them are rings. Attributes and markers are left out otherwise.
  */
 public final class TriangleFormat implements Format {
   private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+2\\s+[0-9]+\\s+[01]");
+  private static final int MARKER = 3; // the place of a segment's marker in its row
   private static final String CURE = "correct the segment";
 
   @Override
@@ -41,21 +44,25 @@ public final class TriangleFormat implements Format {
     if (nodes.hasMore()) {
       notes.add("Attributes and markers of the vertices are left out");
     }
-    return new Shapes(title(), shapes(rows, nodes, notes), notes);
+    return shapes(rows, nodes, notes);
   }
 
-  private static List<Shape> shapes(Rows rows, NodeList nodes, List<String> notes)
-      throws IOException {
+  private Shapes shapes(Rows rows, NodeList nodes, List<String> notes) throws IOException {
     PointColumns points = nodes.points();
     Shape sites = Shape.of(Shape.Kind.SITES, "", points);
     if (!rows.next() || rows.count(0) == 0) {
-      return List.of(sites);
+      return new Shapes(title(), List.of(sites), notes);
     }
     int segments = rows.count(0);
+    Segments all = new Segments(points.size());
+    List<String> read = List.copyOf(notes);
     Rim rim = new Rim(points.size());
     for (int s = 0; s < segments; s++) {
       rows.next(s, segments, "segments");
-      rim.add(nodes.vertex(rows, 1, CURE), nodes.vertex(rows, 2, CURE));
+      int u = nodes.vertex(rows, 1, CURE);
+      int v = nodes.vertex(rows, 2, CURE);
+      rim.add(u, v);
+      all.add(u, v, rows.words().size() > MARKER && !rows.words().get(MARKER).equals("0"));
     }
     PointColumns holes = new PointColumns();
     int count = rows.next() ? rows.count(0) : 0;
@@ -72,6 +79,12 @@ public final class TriangleFormat implements Format {
     if (chains.looseSegments() > 0) {
       notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
     }
-    return rings.isEmpty() ? List.of(sites) : rings;
+    RegionShape region = all.region(points.points(), points.lines(), holes.points());
+    return new Shapes(
+        title(),
+        rings.isEmpty() ? List.of(sites) : rings,
+        notes,
+        Optional.of(new Shapes.Whole(region, read)),
+        false);
   }
 }

@@ -1,6 +1,7 @@
 package dct.io.format.mesh;
 
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import dct.io.format.CannotHold;
@@ -25,8 +26,16 @@ public final class TriangleWriter {
     }
   }
 
-  /** Writes the vertices and, of a polygon, its edges: {@code .poly}. */
+  /**
+   * Writes the vertices and, of a polygon or a region, its edges: {@code .poly}.
+   *
+   * @throws CannotHold if a hole is no simple polygon, or too small to place a point in it
+   */
   public static void writePoly(Drawing drawing, TextOut out) throws IOException {
+    if (drawing.rings().isPresent()) {
+      writePoly(drawing, drawing.rings().get(), out);
+      return;
+    }
     writeNode(drawing, out);
     int n = drawing.isRing() ? drawing.points().size() : 0;
     out.add(n).add(" 0\n");
@@ -34,6 +43,30 @@ public final class TriangleWriter {
       out.add(v).add(" ").add(v).add(" ").add(v + 1 == n ? 0 : v + 1).add("\n");
     }
     out.add("0\n"); // holes
+  }
+
+  /**
+   * The segments of a region, those of rings marked by 1 and the fixed ones by 0, and a point in
+   * each hole.
+   */
+  private static void writePoly(Drawing drawing, Rings rings, TextOut out) throws IOException {
+    Points holes = HolePoints.of(rings);
+    writeNode(drawing, out);
+    out.add(rings.ringVertices() + rings.fixedCount()).add(" 1\n");
+    int s = 0;
+    for (int r = 0; r < rings.count(); r++) {
+      for (int k = 0; k < rings.size(r); k++) {
+        int v = rings.vertex(r, k);
+        out.add(s++).add(" ").add(v).add(" ").add(rings.after(v)).add(" 1\n");
+      }
+    }
+    for (int j = 0; j < rings.fixedCount(); j++) {
+      out.add(s++).add(" ").add(rings.fixedFrom(j)).add(" ").add(rings.fixedTo(j)).add(" 0\n");
+    }
+    out.add(holes.size()).add("\n");
+    for (int h = 0; h < holes.size(); h++) {
+      out.add(h).add(" ").add(holes.x(h)).add(" ").add(holes.y(h)).add("\n");
+    }
   }
 
   /**

@@ -6,6 +6,7 @@ import dct.core.triangulate.Domain;
 import dct.io.format.Columns;
 import dct.io.format.Input;
 import dct.io.format.PointColumns;
+import dct.io.format.RegionShape;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.text.BadInputException;
@@ -18,6 +19,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * Reads text with a vertex a line: the program's own, {@code x y}, and what others write.
@@ -25,7 +27,9 @@ import java.util.regex.Pattern;
  * <p>The numbers are separated by blanks, tabs, one comma or one semicolon. {@code #} at the start
  * of a line or after a blank, a comma or a semicolon starts a comment; blank lines are skipped, but
  * where they part groups of vertices that could be rings, each is a shape. A comment line {@code #
- * kind: polygon} or {@code # kind: points} says what the points are. A first line with nothing but
+ * kind: polygon} or {@code # kind: points} says what the points are. A line {@code hole} starts the
+ * next ring of a region, {@code sites} what is on no ring, and {@code fixed i j} fixes the edge
+ * between two vertices, numbered from 0 on in the order of the file. A first line with nothing but
  * the number of vertices that follow is skipped, too; every other line of counts is refused. {@link
  * LooseLine} says what else a line may look like, {@link Table} which columns are read. Linear;
  * lines of two numbers make no objects.
@@ -34,7 +38,10 @@ public final class VertexText {
   private static final Pattern KIND =
       Pattern.compile("#\\s*kind\\s*:\\s*(\\w+)\\s*", Pattern.CASE_INSENSITIVE);
 
-  private static final Pattern PART = Pattern.compile("(?i)hole|steiner");
+  private static final Pattern PART = Pattern.compile("(?i:hole|steiner)|sites");
+  private static final Pattern OWN_PART = Pattern.compile("hole|sites");
+  private static final Pattern FIXED =
+      Pattern.compile("fixed\\s+([0-9]{1,9})(?:\\s*[,;]\\s*|\\s+)([0-9]{1,9})");
   private static final Pattern EXCEL = Pattern.compile("sep=.", Pattern.CASE_INSENSITIVE);
 
   private final String name;
@@ -42,7 +49,10 @@ public final class VertexText {
   private final Table table;
   private final List<String> notes = new ArrayList<>();
   private final Columns columns;
-  private final List<Part> parts = new ArrayList<>(); // what follows the words of poly2tri
+  private final List<Part> parts =
+      new ArrayList<>(); // what follows the words of poly2tri, or hole, sites
+  private final FixedEdges fixed;
+  private boolean isRegion; // a word of the program's own says so
   private final TextLayout layout;
   private final LooseLine line = new LooseLine();
   private Optional<Domain> kind = Optional.empty();
@@ -53,6 +63,7 @@ public final class VertexText {
     this.columns = columns;
     this.table = new Table(name);
     this.layout = new TextLayout(name);
+    this.fixed = new FixedEdges(name);
   }
 
   /**
@@ -87,6 +98,9 @@ public final class VertexText {
     PointColumns points = table.points(columns.xy(), notes);
     Points read = points.points();
     int[] numbers = points.lines();
+    if (isRegion || kind.equals(Optional.of(Domain.REGION))) {
+      return region(read, numbers);
+    }
     boolean isCertain = kind.isPresent() || columns.skipped() > 0 || table.hasHeader();
     if (!isCertain && layout.polygons() > 0) {
       Optional<List<Shape>> polygons =
@@ -107,8 +121,26 @@ public final class VertexText {
     return new Shapes(PlainFormat.TITLE, shapes(read, numbers), notes);
   }
 
+  private Shapes region(Points read, int[] numbers) {
+    List<Shape> shapes =
+        shapes(read, numbers, parts.isEmpty() ? layout.groups(read.size()) : starts());
+    int[] ends = fixed.ends(read.size());
+    Optional<Shapes.Whole> whole =
+        ends.length == 0
+            ? Optional.empty()
+            : Optional.of(new Shapes.Whole(RegionShape.of(shapes, ends), notes));
+    return new Shapes(PlainFormat.TITLE, shapes, notes, whole, true);
+  }
+
+  /** Where a ring or the sites begin. */
+  private int[] starts() {
+    return IntStream.concat(IntStream.of(0), parts.stream().mapToInt(Part::start))
+        .distinct()
+        .toArray();
+  }
+
   /**
-   * A word of poly2tri.
+   * A word of poly2tri, or of the program's own.
    *
    * @param start the first vertex behind it
    * @param kind what the vertices behind it are
@@ -133,7 +165,15 @@ public final class VertexText {
     Shape.Kind is =
         kind.map(domain -> domain == Domain.SITES ? Shape.Kind.SITES : Shape.Kind.RING)
             .orElse(Shape.Kind.POINTS);
-    int[] starts = is == Shape.Kind.SITES ? new int[1] : layout.groups(read.size());
+    return shapes(
+        read, numbers, is == Shape.Kind.SITES ? new int[1] : layout.groups(read.size()), is);
+  }
+
+  private List<Shape> shapes(Points read, int[] numbers, int[] starts) {
+    return shapes(read, numbers, starts, Shape.Kind.RING);
+  }
+
+  private List<Shape> shapes(Points read, int[] numbers, int[] starts, Shape.Kind is) {
     List<Shape> shapes = new ArrayList<>();
     for (int g = 0; g < starts.length; g++) {
       int end = g + 1 < starts.length ? starts[g + 1] : read.size();
@@ -141,7 +181,9 @@ public final class VertexText {
       for (int v = starts[g]; v < end; v++) {
         group.add(read.x(v), read.y(v), numbers[v]);
       }
-      shapes.add(Shape.of(kindAt(starts[g], is), "", group));
+      if (group.size() > 0) {
+        shapes.add(Shape.of(kindAt(starts[g], is), "", group));
+      }
     }
     return shapes;
   }
@@ -205,18 +247,23 @@ public final class VertexText {
     }
   }
 
-  /** Whether the line is a word of poly2tri. */
+  /** Whether the line is a word of poly2tri or of the program's own. */
   private boolean startsPart() {
     if (!Character.isLetter(line.first())) {
       return false;
     }
-    Matcher poly2tri = PART.matcher(line.data());
-    if (!poly2tri.matches()) {
-      return false;
+    String data = line.data();
+    Matcher edge = FIXED.matcher(data);
+    boolean isEdge = edge.matches();
+    boolean isPart = !isEdge && PART.matcher(data).matches();
+    if (isEdge) {
+      fixed.add(Integer.parseInt(edge.group(1)), Integer.parseInt(edge.group(2)), lines.number());
+    } else if (isPart) {
+      layout.ring(table.size());
+      parts.add(new Part(table.size(), kind(data)));
     }
-    layout.ring(table.size());
-    parts.add(new Part(table.size(), kind(poly2tri.group())));
-    return true;
+    isRegion |= isEdge || (isPart && OWN_PART.matcher(data).matches());
+    return isEdge || isPart;
   }
 
   /** Whether it is a line above the numbers: Excel's separator, or the names of the columns. */
