@@ -10,7 +10,8 @@ import java.util.Optional;
 
 /**
  * The naming convention of the thesis: {@code NAME_polygonbased.txt} for polygons, {@code
- * NAME_pointbased.txt} for sites.
+ * NAME_pointbased.txt} for sites. A name ending in {@code _region} says nothing: such a file itself
+ * tells.
  */
 public final class FileNames {
   private static final String EXTENSION = FileEnding.TXT.dotted();
@@ -19,7 +20,11 @@ public final class FileNames {
 
   /** The suffix of file names of this kind, without extension. */
   public static String suffix(Domain domain) {
-    return domain == Domain.POLYGON ? "_polygonbased" : "_pointbased";
+    return switch (domain) {
+      case POLYGON -> "_polygonbased";
+      case SITES -> "_pointbased";
+      case REGION -> "_region";
+    };
   }
 
   /** What a file holds by its name, whatever its extension; nothing if the name does not say. */

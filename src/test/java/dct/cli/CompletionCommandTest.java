@@ -83,7 +83,7 @@ class CompletionCommandTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "-n __fish_use_subcommand -a check -d 'Is it a simple polygon, or usable sites? Says what is"
+        "-n __fish_use_subcommand -a check -d 'Is it a simple polygon, usable sites, or a region? Says what is"
             + " wrong, and where.'",
         "-n '__fish_seen_subcommand_from generate' -l shape -r -a 'uniform disk clusters",
         "-n '__fish_seen_subcommand_from triangulate' -s o -l output -r -d 'Where to.'",

@@ -203,9 +203,9 @@ class ResultJsonTest {
       value = {
         "{} | 1: there is no field \"points\"; write \"points\": [[x, y], …]",
         "{\"kind\": 1, \"points\": []} | 1: \"kind\" is not a text;"
-            + " write \"kind\": \"polygon\" or \"kind\": \"points\"",
+            + " write \"kind\": \"polygon\", \"points\" or \"region\"",
         "{\"kind\": \"dots\"} | 1: \"dots\" is not a kind of input;"
-            + " write \"kind\": \"polygon\" or \"kind\": \"points\"",
+            + " write \"kind\": \"polygon\", \"points\" or \"region\"",
         "{\"points\": 3} | 1: \"points\" is not a list; write \"points\": [[x, y], …]",
         "{\"points\": [[0, 0],~[1, \"a\"]]} | 2: a point is not a pair of numbers, at points[1][1];"
             + " write \"points\": [[x, y], …]",

@@ -198,8 +198,8 @@ class TriangulatedFileTest {
     String frame = "OFF/6 6 0/0 0 0/9 0 0/0 9 0/2 2 0/4 2 0/2 4 0/";
     assertThat(fault(frame + "3 0 1 4/3 0 4 3/3 1 2 5/3 1 5 4/3 2 0 3/3 2 3 5/"))
         .contains(
-            ", as at a hole: there are 2 rims, and triangulations with holes are not read yet;"
-                + " read its points alone with --as points");
+            ", as at a hole: there are 2 rims; read it by --as region; read its points alone with"
+                + " --as points");
     String gone = "OFF/5 3 0/0 0 0/9 0 0/0 9 0/2 2 0/3 3 0/3 0 1 3/3 1 2 3/3 2 0 3/";
     assertThat(fault(gone)).startsWith("in:7: ").contains("vertex v4 has fewer than two edges");
     assertThat(read(FAN, Choice.NONE.as(Domain.POLYGON)).notes())

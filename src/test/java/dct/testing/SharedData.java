@@ -26,6 +26,22 @@ public final class SharedData {
   }
 
   /**
+   * The cells of each row of a table in {@code ../shared/data}, parted by tabs, without comments
+   * and header.
+   */
+  public static List<String[]> sharedTable(String name) {
+    try (Stream<String> lines = Files.lines(folder().orElseThrow().resolve(name))) {
+      return lines
+          .filter(line -> !line.startsWith("#"))
+          .skip(1)
+          .map(line -> line.split("\t", -1))
+          .toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
    * The cells of each row of a table in {@code src/test/resources/dct/testing}, its comments and
    * its header left out.
    */
