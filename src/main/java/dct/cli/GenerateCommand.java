@@ -3,10 +3,12 @@ package dct.cli;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import dct.core.Progress;
+import dct.core.geometry.Region;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.Area;
 import dct.experiment.generate.CannotGenerateException;
 import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.RegionShape;
 import dct.experiment.generate.SiteShape;
 import dct.io.PointDocument;
 import dct.render.Figure;
@@ -27,19 +29,22 @@ final class GenerateCommand extends Verb {
   private static final Pattern AREA = Pattern.compile("(\\d{1,9})x(\\d{1,9})");
 
   private final PositionalParamSpec what =
-      parameter("points|polygon", "What to make: points or polygon.");
+      parameter("points|polygon|region", "What to make: points, polygon or region.");
   private final OptionSpec n = requiredOption("-n", "N", Integer.class, "How many vertices.");
   private final OptionSpec shape =
       option(
           "--shape",
           "S",
-          Stream.concat(SiteShape.words().stream(), PolygonShape.words().stream())
+          Stream.of(SiteShape.words(), PolygonShape.words(), RegionShape.words())
+              .flatMap(List::stream)
               .distinct()
               .toList(),
           "One of those above; " + defaults() + " by default.");
   private final OptionSpec seed =
       option(
           "--seed", "N", Long.class, "Which of the random ones, any whole number; 1 by default.");
+  private final OptionSpec holes =
+      option("--holes", "K", Integer.class, "Of a region: how many holes; 1 by default.");
   private final OptionSpec area =
       option(
           "--area",
@@ -66,16 +71,22 @@ final class GenerateCommand extends Verb {
     super(console, description());
     examples(
         "dct generate points -n 500 --shape clusters --seed 7 -o mine_pointbased.txt",
-        "dct generate polygon -n 100 | dct triangulate - --optimize odd");
+        "dct generate polygon -n 100 | dct triangulate - --optimize odd",
+        "dct generate region -n 200 --holes 4 --shape holes -o plate_region.txt");
   }
 
   private static String defaults() {
-    return SiteShape.UNIFORM.word() + " or " + PolygonShape.TWO_OPT.word();
+    return SiteShape.UNIFORM.word()
+        + ", "
+        + PolygonShape.TWO_OPT.word()
+        + " or "
+        + RegionShape.ANNULUS.word();
   }
 
   private static String[] description() {
     List<String> lines = new ArrayList<>();
-    lines.add("Makes random points, all different, or the vertices of a random simple polygon.");
+    lines.add("Makes random points, all different, the vertices of a random simple polygon, or");
+    lines.add("a random region with holes.");
     lines.add("The same options make the same on every machine.");
     lines.add("");
     lines.add("Shapes of points:");
@@ -84,6 +95,10 @@ final class GenerateCommand extends Verb {
     }
     lines.add("Shapes of polygons:");
     for (PolygonShape each : PolygonShape.values()) {
+      lines.add(line(each.word(), each.description()));
+    }
+    lines.add("Shapes of regions:");
+    for (RegionShape each : RegionShape.values()) {
       lines.add(line(each.word(), each.description()));
     }
     lines.add("");
@@ -128,7 +143,11 @@ final class GenerateCommand extends Verb {
 
   private String shapeWord() {
     String usual =
-        what.getValue().equals("points") ? SiteShape.UNIFORM.word() : PolygonShape.TWO_OPT.word();
+        switch (what.getValue()) {
+          case "points" -> SiteShape.UNIFORM.word();
+          case "region" -> RegionShape.ANNULUS.word();
+          default -> PolygonShape.TWO_OPT.word();
+        };
     String wished = shape.getValue();
     return Objects.requireNonNullElse(wished, usual);
   }
@@ -139,7 +158,9 @@ final class GenerateCommand extends Verb {
       return switch (word) {
         case "points" -> points(progress);
         case "polygon" -> polygon(progress);
-        default -> throw UsageException.unknown("the kind", word, List.of("points", "polygon"));
+        case "region" -> region(progress);
+        default ->
+            throw UsageException.unknown("the kind", word, List.of("points", "polygon", "region"));
       };
     } catch (CannotGenerateException e) {
       throw new UsageException(e.getMessage());
@@ -165,6 +186,18 @@ final class GenerateCommand extends Verb {
         STANDARD_STREAM,
         Domain.POLYGON,
         wished.generate(count, area(wished.areaFor(count)), seed(), progress).points());
+  }
+
+  private PointDocument region(Progress progress) {
+    if (isSet(area) || isSet(real)) {
+      throw new UsageException("--area and --real are not for regions, leave them out");
+    }
+    String word = shapeWord();
+    RegionShape wished = RegionShape.of(word).orElseThrow(() -> unknown(word, RegionShape.words()));
+    Integer count = holes.getValue();
+    Region region =
+        wished.generate(n.getValue(), Objects.requireNonNullElse(count, 1), seed(), progress);
+    return PointDocument.of(STANDARD_STREAM, region.rings());
   }
 
   private static UsageException unknown(String word, List<String> words) {

@@ -86,6 +86,16 @@ public final class PointDocument {
 
   /** Points that come from no file, each on the line that a file without comments gives it. */
   public static PointDocument of(String source, Domain domain, Points points) {
+    return of(source, domain, points, Optional.empty());
+  }
+
+  /** A region that comes from no file. */
+  public static PointDocument of(String source, Rings rings) {
+    return of(source, Domain.REGION, rings.points(), Optional.of(rings));
+  }
+
+  private static PointDocument of(
+      String source, Domain domain, Points points, Optional<Rings> rings) {
     int[] lines = new int[points.size()];
     Arrays.setAll(lines, i -> i + 1);
     return new PointDocument(
@@ -94,7 +104,7 @@ public final class PointDocument {
         domain,
         points,
         lines,
-        Optional.empty(),
+        rings,
         Optional.empty(),
         List.of(),
         true,

@@ -5,6 +5,7 @@ import dct.core.degree.OddFan;
 import dct.core.degree.PartitioningAqt;
 import dct.core.geometry.Region;
 import dct.core.geometry.Sites;
+import dct.core.triangulate.ConstrainedDelaunay;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.EarClipping;
@@ -52,6 +53,14 @@ public enum Method {
       "Convex Polygon Odd Triangulation",
       "Table 4.3",
       "Cuts the polygon into convex pieces and makes most vertices of each odd"),
+  CONSTRAINED_DELAUNAY(
+      Scope.OUTLINES,
+      Promise.EMPTY_CIRCLES,
+      "constrained-delaunay",
+      "Constrained Delaunay",
+      "Constrained Delaunay Triangulation",
+      "not in the thesis",
+      "Triangulates so that no circle through a triangle's corners holds a vertex seen from it"),
   DELAUNAY(
       Scope.SITES,
       Promise.EMPTY_CIRCLES,
@@ -87,7 +96,10 @@ public enum Method {
     MONOTONE_PIECES,
     /** The edges of the partition cut the polygon into strictly convex pieces. */
     CONVEX_PIECES,
-    /** It is Delaunay: no circle through a triangle's corners has a site inside. */
+    /**
+     * It is Delaunay: no circle through a triangle's corners has a site inside; or, of an outline,
+     * a vertex that is seen from the triangle.
+     */
     EMPTY_CIRCLES
   }
 
@@ -178,6 +190,7 @@ public enum Method {
       case EAR_CLIPPING -> EarClipping.triangulate(region(instance), progress);
       case CONVEX_EVEN -> PartitioningAqt.triangulate(region(instance), progress);
       case CONVEX_ODD -> OddFan.triangulate(region(instance), progress);
+      case CONSTRAINED_DELAUNAY -> ConstrainedDelaunay.triangulate(region(instance), progress);
       case DELAUNAY -> Delaunay.triangulate(sites(instance), progress);
     };
   }

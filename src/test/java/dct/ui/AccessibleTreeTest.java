@@ -75,6 +75,7 @@ class AccessibleTreeTest extends WindowTest {
           "Convex Polygon Odd Triangulation",
           "Monotone Polygon Triangulation",
           "Ear Clipping Triangulation",
+          "Constrained Delaunay Triangulation",
           "Convex Partition",
           "Monotone Partition",
           "Perform Flip",

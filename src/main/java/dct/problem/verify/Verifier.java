@@ -311,7 +311,8 @@ public final class Verifier {
 
   /**
    * A triangulation is Delaunay if it is so at every inner edge: of the two triangles there, the
-   * far corner of one is not inside the circle of the other (Delaunay 1934).
+   * far corner of one is not inside the circle of the other (Delaunay 1934). A constrained one is
+   * if that holds of all inner edges but the fixed ones (Lee and Lin 1986).
    */
   private void checkDelaunay() {
     Points points = stored.instance().points();
@@ -319,6 +320,7 @@ public final class Verifier {
       int e = 2 * edge;
       boolean delaunay =
           stored.isRim(edge)
+              || claims.edges().kind(edge) == EdgeKind.FIXED
               || points.inCircle(
                       before.origin(e), before.target(e), before.apex(e), before.apex(e + 1))
                   <= 0;

@@ -146,6 +146,7 @@ public final class MenuTable {
               "Convex Polygon Odd Triangulation",
               "Monotone Polygon Triangulation",
               "Ear Clipping Triangulation",
+              "Constrained Delaunay Triangulation",
               "Convex Partition",
               "Monotone Partition",
               "Delaunay",

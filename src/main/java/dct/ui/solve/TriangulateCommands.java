@@ -39,7 +39,7 @@ public final class TriangulateCommands {
       commands
           .add(
               method.title(),
-              KEYS.get(method),
+              KEYS.getOrDefault(method, ""),
               method.description(),
               () -> results.triangulate(method))
           .enabledWhen(() -> workbench.isChosen(Domain.POLYGON));
