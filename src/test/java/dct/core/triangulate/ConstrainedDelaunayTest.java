@@ -2,6 +2,7 @@ package dct.core.triangulate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import dct.core.Progress;
 import dct.core.dcel.Dcel;
@@ -185,6 +186,22 @@ class ConstrainedDelaunayTest {
             .isNotPositive();
       }
     }
+  }
+
+  /** The definition finds fault with ears that were cut off where an edge does, and only there. */
+  @Test
+  void theDefinitionAgreesWithTheEdges() {
+    int faulty = 0;
+    for (int seed = 0; seed < 60; seed++) {
+      Rings rings = RandomRegions.make(families().get(1), 8 + seed % 20, seed % 4, 20, seed);
+      Region region = Region.of(rings, Progress.NONE);
+      Triangulation ears = EarClipping.triangulate(region, Progress.NONE);
+      boolean isFaulty = ConstrainedDelaunayOracle.problem(ears, region).isPresent();
+      boolean edgeIsFaulty = catchThrowable(() -> checkEdges(ears, "ears")) != null;
+      assertThat(isFaulty).as("seed %d", seed).isEqualTo(edgeIsFaulty);
+      faulty += isFaulty ? 1 : 0;
+    }
+    assertThat(faulty).isPositive();
   }
 
   // ---- what it depends on
