@@ -76,7 +76,9 @@ final class ChosenRegion {
     List<RegionShape> all = RegionShape.all(shapes);
     if (all.isEmpty() || all.stream().anyMatch(region -> region.rings().isEmpty())) {
       throw new BadInputException(
-          source, 0, "there is no ring in it, as a region needs; read it by --as points");
+          source,
+          0,
+          "it holds no rings that are apart, as a region has them; read it by --as points");
     }
     if (choice.pick().isPresent()) {
       return picked(all, choice.pick().getAsInt());
