@@ -92,7 +92,7 @@ class ForgedRegionTest {
 
   @Test
   void ringsThatAreOthersAreRefused() {
-    assertThat(refusal(result -> result.remove("rings"))).contains("fixed edge");
+    assertThat(refusal(result -> result.remove("rings"))).contains("cross at");
     assertThat(refusal(result -> result.getAsJsonArray("rings").remove(2)))
         .contains("on one side of edge")
         .contains("no triangle");
@@ -134,12 +134,24 @@ class ForgedRegionTest {
         .contains("edge v5–v15 is fixed");
     assertThat(refusal(result -> rename(result, 5, 15, "partition"))).contains("is fixed");
     assertThat(refusal(result -> result.getAsJsonArray("fixed").add(numbers(0, 15))))
-        .contains("the fixed edge v0–v15 is missing");
+        .contains("edges v9–v8 and v0–v15 cross at");
     assertThat(refusal(result -> result.getAsJsonArray("fixed").add(numbers(0, 1))))
         .contains("names an edge of a ring, or an edge twice");
     assertThat(refusal(result -> result.getAsJsonArray("fixed").remove(0)))
         .contains("is not fixed");
     assertThat(refusal(result -> result.remove("fixed"))).contains("missing");
+  }
+
+  @Test
+  void aFixedEdgeThatIsMissingIsRefused() {
+    String square = "# kind: region\n0 0\n9 0\n9 9\n0 9\n";
+    JsonObject result = made(CliRun.withInput(square, "triangulate", "-", "-o", "-"));
+    JsonArray made = result.getAsJsonArray("edgeList").get(4).getAsJsonArray();
+    boolean isFirst = made.get(0).getAsInt() % 2 == 0; // v0–v2, or else v1–v3
+    result.getAsJsonArray("fixed").add(isFirst ? numbers(1, 3) : numbers(0, 2));
+    CliRun run = CliRun.withInput(result.toString(), "verify", "-");
+    assertThat(run.status()).isEqualTo(4);
+    assertThat(run.err()).contains("the fixed edge v").contains(" is missing");
   }
 
   @Test
