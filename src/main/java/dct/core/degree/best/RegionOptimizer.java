@@ -1,6 +1,8 @@
 package dct.core.degree.best;
 
+import dct.core.Deadline;
 import dct.core.Progress;
+import dct.core.degree.LowerBound;
 import dct.core.degree.Optimum;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.Preference;
@@ -10,16 +12,65 @@ import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.RegionBounds;
 import dct.core.geometry.Region;
 import dct.core.triangulate.Triangulation;
+import java.util.concurrent.CancellationException;
 
-/** A triangulation of a region with as few unmet vertices as can be found. */
+/**
+ * A triangulation of a region with as few unmet vertices as can be found, and proven optimal where
+ * it attains a lower bound.
+ *
+ * <p>Takes any triangulation of the region. The stages, each only if the bound is not attained yet:
+ *
+ * <ol>
+ *   <li>Scan-Flip, the thesis's method: what comes back is never worse, however early it ends.
+ *   <li>Small parts solved anew, and walks that pair up what is left ({@link SiteSearch}); no part
+ *       crosses a boundary or a fixed edge.
+ *   <li>The same from the beginning with other random choices, some times.
+ * </ol>
+ *
+ * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
+ * the user ends the search. Then the best so far is returned at once; for Scan-Flip the limit waits
+ * a tenth of a second.
+ */
 public final class RegionOptimizer {
-  private RegionOptimizer() {}
+  private static final int PATIENCE = 300; // rounds of a search that have not helped
+  private static final int ROUNDS = 7; // without a limit of time
+  private static final int MANY = 2000; // vertices; to begin anew would cost more than to go on
+  private static final int SEEDS_APART = 1 << 16; // of searches one after the other
 
-  /** The best triangulation found. */
+  private final Triangulation start;
+  private final ParityGoal goal;
+  private final SearchLimits limits;
+  private final Deadline clock;
+  private final Deadline early; // for what comes first, however short the limit is
+  private LowerBound bound;
+  private Triangulation best;
+  private int unmet;
+
+  private RegionOptimizer(
+      Region region,
+      Triangulation start,
+      ParityGoal goal,
+      SearchLimits limits,
+      Progress progress) {
+    this.start = start;
+    this.goal = goal;
+    this.limits = limits;
+    clock = new Deadline(progress, limits.seconds());
+    early = new Deadline(progress, Math.max(SearchLimits.GRACE, limits.seconds()));
+    bound = RegionBounds.of(region, goal);
+    best = start;
+    unmet = goal.unmet(start);
+  }
+
+  /**
+   * The best triangulation found: one that attains the bound, or the best so far when the search
+   * has done all it does for this effort, the time is up or the user has cancelled.
+   *
+   * @param start any triangulation of the region; it is returned if it attains the bound
+   */
   public static Optimum optimize(
       Region region, Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
-    Triangulation flipped = ScanFlip.run(start, progress).after();
-    return Optimum.of(flipped, goal, RegionBounds.of(region, goal));
+    return new RegionOptimizer(region, start, goal, limits, progress).run();
   }
 
   /** The same, and of several equally good ones that were found the most preferred. */
@@ -30,7 +81,52 @@ public final class RegionOptimizer {
       SearchLimits limits,
       Preference preference,
       Progress progress) {
-    Optimum best = optimize(region, start, goal, limits, progress);
-    return PreferredRegions.improve(best, preference, limits, new dct.core.Deadline(progress, 1));
+    RegionOptimizer optimizer = new RegionOptimizer(region, start, goal, limits, progress);
+    return PreferredRegions.improve(optimizer.run(), preference, limits, optimizer.clock);
+  }
+
+  private Optimum run() {
+    boolean interrupted = false;
+    try {
+      improve();
+    } catch (CancellationException e) {
+      interrupted = true;
+    }
+    interrupted |= clock.hasStruck();
+    return new Optimum(best, goal, unmet, bound, interrupted && isOpen());
+  }
+
+  private boolean isOpen() {
+    return unmet > bound.value();
+  }
+
+  private void improve() {
+    if (isOpen()) {
+      take(ScanFlip.run(start, early).after());
+      clock.checkCancelled();
+    }
+    boolean hasLimit = Double.isFinite(limits.seconds());
+    int rounds = start.vertexCount() > MANY && !hasLimit ? 1 : ROUNDS;
+    for (int k = 0; isOpen() && (k < rounds * limits.effort() || hasLimit); k++) {
+      search(k);
+      clock.checkCancelled();
+    }
+  }
+
+  private void search(int k) {
+    long seed = limits.seed() + (long) SEEDS_APART * k;
+    SiteSearch search = new SiteSearch(start, goal, seed, clock);
+    search.pairUp(bound.value(), PATIENCE);
+    if (search.unmet() < unmet) {
+      take(search.triangulation());
+    }
+  }
+
+  private void take(Triangulation found) {
+    int count = goal.unmet(found);
+    if (count < unmet) {
+      best = found;
+      unmet = count;
+    }
   }
 }

@@ -38,13 +38,25 @@ public final class BoundaryColouring {
    * @param wish the wish of the k-th vertex along the boundary
    */
   static int leastUnmet(int h, IntFunction<Wish> wish) {
+    return costs(h, wish)[0];
+  }
+
+  /**
+   * The least number of boundary vertices that miss their wish, for each way in which the colours
+   * of their edges can come out.
+   *
+   * @param wish the wish of the k-th vertex along the boundary
+   * @return at d, for black less white edges ≡ d mod 3, the edge before vertex 0 being black; at 3
+   *     + d the same if that edge is found to be white when the walk returns to it
+   */
+  static int[] costs(int h, IntFunction<Wish> wish) {
     int[] cost = new int[STATES];
     Arrays.fill(cost, UNREACHED);
     cost[0] = 0; // the edge before vertex 0 is black; it is counted when the walk returns to it
     for (int k = 0; k < h; k++) {
       cost = step(cost, wish.apply(k));
     }
-    return cost[0];
+    return cost;
   }
 
   /**

@@ -119,7 +119,7 @@ final class MeshRegion {
 
   private double distanceBeyond(int place, int target) {
     int e = outer[place];
-    return e == SearchMesh.NONE
+    return e < 0 // there is none, or the edge is fixed
         ? Double.POSITIVE_INFINITY
         : mesh.squaredDistance(mesh.corner[SearchMesh.prev(e)], target);
   }
@@ -127,7 +127,7 @@ final class MeshRegion {
   /** Takes the triangle beyond an edge if there is one and its apex is new and within bounds. */
   boolean tryTake(int place) {
     int e = outer[place];
-    if (e == SearchMesh.NONE) {
+    if (e < 0) { // there is none, or the edge is fixed
       return false;
     }
     int last = SearchMesh.prev(e);

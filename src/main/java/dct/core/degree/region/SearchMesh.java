@@ -6,17 +6,23 @@ import dct.core.dcel.Dcel;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.HilbertOrder;
 import dct.core.geometry.Predicates;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.EdgeKind;
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * A triangulation of sites as a search works on it: bare arrays, nothing allocated after the start.
+ * A triangulation as a search works on it: bare arrays, nothing allocated after the start.
  *
  * <p>Vertices are numbered along a Hilbert curve. Triangle t has the half-edges 4t, 4t + 1, 4t + 2
  * counter-clockwise. The number of triangles and their numbers never change; a {@link MeshRegion}
  * rewrites the triangles of a region in place. Regions without a vertex in common may be rewritten
  * by different threads at once: none of the array elements they touch is the same.
+ *
+ * <p>Beyond a fixed edge there is a triangle, but no search may cross it: the twin of a half-edge e
+ * on one is {@code fixed(t)}, a negative number, t being the half-edge on the other side. So growth
+ * stops there as it does at the hull, by one comparison with 0.
  */
 public final class SearchMesh {
   /** In place of a half-edge: there is none beyond the hull. */
@@ -27,7 +33,7 @@ public final class SearchMesh {
   public final double[] x;
   public final double[] y;
   public final int[] corner; // by half-edge: the vertex that it leaves
-  public final int[] twin; // by half-edge: the same edge from the other side, or NONE
+  public final int[] twin; // by half-edge: the same edge from the other side, fixed(…), or NONE
   public final int[] out; // by vertex: a half-edge that leaves it
   public final byte[] wrong; // by vertex: 1 if its degree has not the parity wished
   public final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
@@ -64,10 +70,11 @@ public final class SearchMesh {
     progress.checkCancelled();
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
-    readTriangles(start.dcel(), place, progress);
+    readTriangles(start, place, progress);
   }
 
-  private void readTriangles(Dcel dcel, int[] place, Progress progress) {
+  private void readTriangles(Triangulation start, int[] place, Progress progress) {
+    Dcel dcel = start.dcel();
     int[] slot = new int[2 * dcel.edgeBound()];
     int e = 0;
     for (int f = 1; f < dcel.faceBound(); f++, e += 4) {
@@ -86,6 +93,21 @@ public final class SearchMesh {
         twin[slot[h]] = dcel.face(h ^ 1) == Dcel.OUTER ? NONE : slot[h ^ 1];
       }
     }
+    for (int h = 0; start.domain() == Domain.REGION && h < slot.length; h++) {
+      if (start.kind(h >> 1) == EdgeKind.FIXED) {
+        twin[slot[h]] = fixed(slot[h ^ 1]);
+      }
+    }
+  }
+
+  /** In place of a half-edge: that one, beyond a fixed edge. Its own inverse. */
+  private static int fixed(int e) {
+    return NONE - 1 - e;
+  }
+
+  /** The half-edge beyond e, also if the edge is fixed; NONE at the boundary. */
+  int across(int e) {
+    return twin[e] < NONE ? fixed(twin[e]) : twin[e];
   }
 
   /** The number of vertices. */
@@ -123,10 +145,12 @@ public final class SearchMesh {
     boolean clockwise = false;
     for (int r = random.nextInt(TURNS); r > 0; r--) {
       int turned = clockwise ? twin[e] : twin[prev(e)];
-      if (turned == NONE) {
+      if (turned >= 0) {
+        e = clockwise ? next(turned) : turned;
+      } else if (turned == NONE) {
         clockwise = !clockwise;
       } else {
-        e = clockwise ? next(turned) : turned;
+        e = clockwise ? next(fixed(turned)) : fixed(turned);
       }
     }
     return e;
@@ -141,7 +165,7 @@ public final class SearchMesh {
     do {
       edges.add(e);
       last = prev(e);
-      e = twin[last];
+      e = across(last);
     } while (e != NONE && e != first);
     if (e == NONE) {
       edges.add(last);
@@ -151,8 +175,8 @@ public final class SearchMesh {
   /** A half-edge from v: on the hull the one with no triangle on its right. */
   private int clockwiseMost(int v) {
     int e = out[v];
-    while (twin[e] != NONE && next(twin[e]) != out[v]) {
-      e = next(twin[e]);
+    while (twin[e] != NONE && next(across(e)) != out[v]) {
+      e = next(across(e));
     }
     return e;
   }
@@ -185,7 +209,8 @@ public final class SearchMesh {
   }
 
   /**
-   * Turns the edge of e in the quadrilateral of its two triangles, which is strictly convex.
+   * Turns the edge of e, which is not fixed, in the quadrilateral of its two triangles, which is
+   * strictly convex.
    *
    * <pre>
    *       c                c
@@ -228,11 +253,13 @@ public final class SearchMesh {
     wrong[d] ^= 1;
   }
 
-  /** Makes two half-edges twins; the second may be NONE. */
+  /** Makes two half-edges twins; the second may be NONE, or stand for one beyond a fixed edge. */
   public void link(int e, int other) {
     twin[e] = other;
-    if (other != NONE) {
+    if (other >= 0) {
       twin[other] = e;
+    } else if (other != NONE) {
+      twin[fixed(other)] = fixed(e);
     }
   }
 
