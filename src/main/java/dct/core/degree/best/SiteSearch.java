@@ -8,6 +8,7 @@ import dct.core.degree.region.MeshExport;
 import dct.core.degree.region.PartSearch;
 import dct.core.degree.region.SearchMesh;
 import dct.core.degree.strip.StripSearch;
+import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -106,7 +107,8 @@ final class SiteSearch {
     for (int pass = 0; pass < SWEEPS && !progress.isCancelled(); pass++) {
       inParts(part -> part.sweep(0));
     }
-    for (int pass = 0; pass < 2 && !progress.isCancelled(); pass++) {
+    int pairings = start.domain() == Domain.SITES ? 2 : 0; // distances are those of the whole region
+    for (int pass = 0; pass < pairings && !progress.isCancelled(); pass++) {
       inParts(part -> part.pairUp(0, PART_PATIENCE));
     }
   }

@@ -121,7 +121,7 @@ final class MeshRegion {
     int e = outer[place];
     return e < 0 // there is none, or the edge is fixed
         ? Double.POSITIVE_INFINITY
-        : mesh.squaredDistance(mesh.corner[SearchMesh.prev(e)], target);
+        : mesh.away(mesh.corner[SearchMesh.prev(e)], target);
   }
 
   /** Takes the triangle beyond an edge if there is one and its apex is new and within bounds. */
@@ -184,7 +184,9 @@ final class MeshRegion {
     double nearest = Double.POSITIVE_INFINITY;
     double farthest = 0;
     for (int i = 0; i < size; i++) {
-      px[i] = Math.sqrt(mesh.squaredDistance(ring[i], target));
+      px[i] = mesh.hops == null
+              ? Math.sqrt(mesh.squaredDistance(ring[i], target))
+              : mesh.hops.distance(ring[i]);
       nearest = Math.min(nearest, px[i]);
       farthest = Math.max(farthest, px[i]);
     }

@@ -21,6 +21,8 @@ import dct.core.SeededRandom;
 public final class PartSearch {
   private static final int SIZE = 10; // vertices of a region
   private static final int TRIES = 3; // to grow by one vertex
+  private static final int REGION_TRIES = 8; // the same where many edges are on the boundary
+  private static final int REGION_SIZE = 28; // vertices of a region there
   private static final int CHECK_EVERY = 32; // steps between two looks at the progress
   private static final int NEIGHBOURS = 8; // looked at on each side along the curve for a partner
   private static final int DETOUR = 64; // how far along the curve a vertex is led astray
@@ -37,11 +39,13 @@ public final class PartSearch {
   private final int lo;
   private final int hi;
   private final MeshRegion region;
+  private final int tries; // to grow by one vertex
   private final VertexList open = new VertexList(); // unmet at the start of a round, in order
   private final VertexList seen = new VertexList(); // perhaps unmet at its end
   private int unmet;
   private int steps;
-  private int size = SIZE; // of the regions of a walk
+  private final int usualSize;
+  private int size; // of the regions of a walk
   private int pullBits = PULL_BITS;
   private int noiseBits = NOISE_BITS;
   private int first; // the unmet vertex of the region nearest to the target, or NONE
@@ -54,6 +58,9 @@ public final class PartSearch {
     this.lo = lo;
     this.hi = hi;
     region = new MeshRegion(mesh, random, progress, LARGEST, lo, hi);
+    tries = mesh.hops == null ? TRIES : REGION_TRIES;
+    usualSize = mesh.hops == null ? SIZE : REGION_SIZE;
+    size = usualSize;
     collect();
   }
 
@@ -79,7 +86,7 @@ public final class PartSearch {
   public void sweep(int enough) {
     for (int v = lo; v < hi && unmet > enough && !isOver(); v++) {
       if (mesh.isUnmet(v) && region.open(mesh.halfEdgeAt(v, random))) {
-        region.grow(SIZE, TRIES);
+        region.grow(usualSize, tries);
         unmet += region.fill(SWEEP_NOISE_BITS);
       }
     }
@@ -107,7 +114,7 @@ public final class PartSearch {
     seen.clear();
     for (int q = 0; q < open.size() && unmet > enough && !isOver(); q++) {
       int v = open.get(q);
-      int partner = mesh.isUnmet(v) ? partner(q, idle) : SearchMesh.NONE;
+      int partner = mesh.isUnmet(v) ? target(q, idle) : SearchMesh.NONE;
       if (partner != SearchMesh.NONE) {
         vary(idle);
         walk(v, partner);
@@ -120,9 +127,29 @@ public final class PartSearch {
   /** Larger regions, a weaker pull and more noise where the usual ones have not helped. */
   private void vary(int idle) {
     boolean usual = idle < STUCK || random.nextInt(4) == 0;
-    size = usual ? SIZE : SIZE + random.nextInt(random.nextInt(LARGEST - SIZE) + 1);
+    size = usual ? usualSize : SIZE + random.nextInt(random.nextInt(LARGEST - SIZE) + 1);
     pullBits = usual ? PULL_BITS : PULL_BITS - random.nextInt(7);
     noiseBits = usual ? NOISE_BITS : NOISE_BITS + 3;
+  }
+
+  private int target(int q, int idle) {
+    if (mesh.hops == null) {
+      return partner(q, idle);
+    }
+    int v = open.get(q);
+    int choice = idle == 0 ? 0 : random.nextInt(6);
+    int partner =
+        switch (choice) {
+          case 1, 2 -> random.nextInt(mesh.size()); // any vertex, to come back by another way
+          case 3 -> anyPartner(q);
+          default -> mesh.hops.search(v, u -> mesh.isUnmet(u) || mesh.weight[u] == 0);
+        };
+    return partner == SearchMesh.NONE ? partner : reachable(partner, v);
+  }
+
+  /** Measures the distances to a vertex; NONE if another one cannot be reached from there. */
+  private int reachable(int partner, int v) {
+    return mesh.hops.search(partner, u -> u == v) == v ? partner : SearchMesh.NONE;
   }
 
   /** A vertex to meet: the nearest, or, where that has not helped, now and then another. */
@@ -169,7 +196,7 @@ public final class PartSearch {
   private void walk(int from, int to) {
     int v = from;
     int target = to;
-    double distance = mesh.squaredDistance(v, target);
+    double distance = mesh.away(v, target);
     int idle = 0;
     while (idle < PATIENCE && !isOver()) {
       int change = step(v, target);
@@ -177,9 +204,12 @@ public final class PartSearch {
       if (change < 0 || first == SearchMesh.NONE || (hasMet && second == SearchMesh.NONE)) {
         return;
       }
+      if (hasMet && mesh.hops != null) {
+        return;
+      }
       v = hasMet ? second : first;
       target = hasMet ? first : target;
-      double left = mesh.squaredDistance(v, target);
+      double left = mesh.away(v, target);
       idle = left < distance ? idle : idle + 1;
       distance = left;
     }
@@ -189,7 +219,7 @@ public final class PartSearch {
   private int step(int v, int target) {
     int change = 0;
     if (region.open(mesh.halfEdgeAt(v, random))) {
-      region.growTowards(target, size, TRIES);
+      region.growTowards(target, size, tries);
       change = region.fillTowards(target, 1 << pullBits, noiseBits);
       unmet += change;
     }
@@ -216,7 +246,6 @@ public final class PartSearch {
   }
 
   private boolean isNearer(int u, int v, int target) {
-    return v == SearchMesh.NONE
-        || mesh.squaredDistance(u, target) < mesh.squaredDistance(v, target);
+    return v == SearchMesh.NONE || mesh.away(u, target) < mesh.away(v, target);
   }
 }

@@ -39,6 +39,7 @@ public final class SearchMesh {
   public final int[] weight; // by vertex: the cost of it being wrong; 0 if any parity will do
   private final int[] free; // the vertices of which nothing is wished, in order
   final int[] site; // by vertex: its number among the sites
+  final Hops hops; // distances in a region; null for sites
   private final boolean plain; // determinants in floating point have no rounding error
 
   /**
@@ -71,6 +72,7 @@ public final class SearchMesh {
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
     readTriangles(start, place, progress);
+    hops = start.domain() == Domain.REGION ? new Hops(this) : null;
   }
 
   private void readTriangles(Triangulation start, int[] place, Progress progress) {
@@ -261,6 +263,14 @@ public final class SearchMesh {
     } else if (other != NONE) {
       twin[fixed(other)] = fixed(e);
     }
+  }
+
+  /**
+   * What grows with the distance from v to a target: in a region that to which distances were
+   * measured last.
+   */
+  double away(int v, int target) {
+    return hops == null ? squaredDistance(v, target) : hops.distance(v);
   }
 
   /** The square of the distance between two vertices. */
