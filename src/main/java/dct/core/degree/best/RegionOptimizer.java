@@ -10,8 +10,10 @@ import dct.core.degree.Preferred;
 import dct.core.degree.ScanFlip;
 import dct.core.degree.SearchLimits;
 import dct.core.degree.bound.RegionBounds;
+import dct.core.degree.exact.OddSetProof;
 import dct.core.geometry.Region;
 import dct.core.triangulate.Triangulation;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
@@ -24,7 +26,8 @@ import java.util.concurrent.CancellationException;
  *   <li>Scan-Flip, the thesis's method: what comes back is never worse, however early it ends.
  *   <li>Small parts solved anew, and walks that pair up what is left ({@link SiteSearch}); no part
  *       crosses a boundary or a fixed edge.
- *   <li>The same from the beginning with other random choices, some times.
+ *   <li>In turn, some times: sets of few unmet vertices are refuted ({@link OddSetProof}), up to
+ *       600 vertices; and the search is begun anew with other random choices.
  * </ol>
  *
  * <p>The same triangulation, goal, seed and effort give the same result unless a limit of time or
@@ -107,10 +110,27 @@ public final class RegionOptimizer {
     }
     boolean hasLimit = Double.isFinite(limits.seconds());
     int rounds = start.vertexCount() > MANY && !hasLimit ? 1 : ROUNDS;
-    for (int k = 0; isOpen() && (k < rounds * limits.effort() || hasLimit); k++) {
+    Optional<OddSetProof> proof = Optional.empty();
+    for (int k = 0; isOpen() && (k < rounds || hasLimit); k++) {
       search(k);
       clock.checkCancelled();
+      if (k == 0 && isOpen()) {
+        proof = OddSetProof.begin(best, goal, clock);
+      }
+      if (isOpen()) {
+        proof.ifPresent(this::refute);
+      }
     }
+  }
+
+  private void refute(OddSetProof proof) {
+    Optimum known = new Optimum(best, goal, unmet, bound, false);
+    long steps = (long) (Math.max(1, limits.effort()) * OddSetProof.STEPS / ROUNDS);
+    Optimum better = proof.improve(known, steps);
+    best = better.triangulation();
+    unmet = better.unmet();
+    bound = better.bound();
+    clock.checkCancelled();
   }
 
   private void search(int k) {

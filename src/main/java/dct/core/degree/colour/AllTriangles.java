@@ -51,6 +51,20 @@ public final class AllTriangles {
     return Optional.of(all);
   }
 
+  /**
+   * Triangles that were found in another way.
+   *
+   * @param corners three vertices a triangle, counter-clockwise
+   * @param n the number of vertices
+   */
+  static AllTriangles of(int[] corners, int n) {
+    AllTriangles all = new AllTriangles();
+    all.corner = corners;
+    all.count = corners.length / 3;
+    all.index(n);
+    return all;
+  }
+
   private static int[] sweepOrder(Points points) {
     Integer[] order = new Integer[points.size()];
     Arrays.setAll(order, v -> v);

@@ -86,7 +86,7 @@ final class ColourSearch {
   private boolean decide() {
     next = SignedSides.NONE;
     fewest = Integer.MAX_VALUE;
-    offerHull();
+    offerBoundary();
     offerInside();
     if (next == SignedSides.NONE) {
       return false;
@@ -98,13 +98,14 @@ final class ColourSearch {
     return true;
   }
 
-  private void offerHull() {
-    HullRing ring = sides.ring();
-    for (int k = 0; k < ring.size(); k++) {
-      int e = sides.hullEdge(k);
-      boolean left = ring.site(k) < ring.site(k + 1);
-      if (e != SignedSides.NONE && !colouring.isCovered(e, left)) {
-        offer(colouring.rows().wantedRow(e), left);
+  private void offerBoundary() {
+    for (int k = 0; k < sides.boundary().size(); k++) {
+      int e = sides.outerEdge(k);
+      if (e != SignedSides.NONE && !colouring.isCovered(e, sides.isForward(k))) {
+        int row = colouring.wantedRow(k);
+        if (row != SignedSides.NONE) {
+          offer(row, sides.isForward(k));
+        }
       }
     }
   }
@@ -115,7 +116,7 @@ final class ColourSearch {
       for (int side = x / 2 * 3; side < x / 2 * 3 + 3; side++) {
         int e = triangles.edge(side);
         boolean opposite = !triangles.isForward(side);
-        if (!sides.isOnHull(e) && !colouring.isCovered(e, opposite)) {
+        if (!sides.isOuter(e) && !colouring.isCovered(e, opposite)) {
           offer(colouring.row(x, side), opposite);
         }
       }

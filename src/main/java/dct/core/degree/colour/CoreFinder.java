@@ -18,7 +18,7 @@ final class CoreFinder {
   CoreFinder(PartialColouring colouring, AllTriangles triangles) {
     this.colouring = colouring;
     this.triangles = triangles;
-    int unknowns = 2 * triangles.count();
+    int unknowns = PartialColouring.unknowns(colouring.sides());
     level = new int[unknowns];
     isSeen = new boolean[unknowns];
     seen = new int[unknowns];
@@ -74,6 +74,11 @@ final class CoreFinder {
   }
 
   private void followRow(int x, int row) {
+    if (colouring.isRing(x)) {
+      boolean adds = colouring.addsRing(colouring.sides().outerPosition(row >> 1), row);
+      seeRow(row, adds == (colouring.value(x) == 0), colouring.place(x));
+      return;
+    }
     for (int side = x / 2 * 3; side < x / 2 * 3 + 3; side++) {
       if (triangles.edge(side) == row >> 1) {
         sides.set(side);
@@ -88,6 +93,13 @@ final class CoreFinder {
 
   /** The values before this place that raised the least sum of a row, or lowered the greatest. */
   private void seeRow(int row, boolean isLow, int before) {
+    int ring = colouring.ringUnknown(row >> 1);
+    if (ring != SignedSides.NONE && isKnown(ring, before)) {
+      boolean adds = colouring.addsRing(colouring.sides().outerPosition(row >> 1), row);
+      if (isLow == (adds == (colouring.value(ring) == 1))) {
+        see(ring);
+      }
+    }
     for (int side : triangles.sidesOn(row >> 1)) {
       int x = colouring.unknown(side, row);
       if (isKnown(x, before) && isLow == (triangles.isForward(side) == (colouring.value(x) == 1))) {

@@ -15,7 +15,7 @@ final class CycleBasis {
   private final int words;
   private final List<List<int[]>> joins = new ArrayList<>(); // by node: another node, and its side
   private final int[]
-      node; // by triangle, by edge behind them, and outside the hull: 1 + its number
+      node; // by triangle, by edge behind them, and by ring: 1 + its number
   private long[][] rays; // by node: those crossed on the way there
   private final long[][] withLead; // by site: the cycle whose first site it is, or null
   private int rank;
@@ -23,9 +23,9 @@ final class CycleBasis {
   private CycleBasis(SignedSides sides) {
     this.sides = sides;
     triangles = sides.triangles();
-    int n = sides.ring().points().size();
+    int n = sides.boundary().points().size();
     words = sides.raysOutside(0).length;
-    node = new int[triangles.count() + triangles.edges() + 1];
+    node = new int[triangles.count() + triangles.edges() + sides.boundary().rings()];
     withLead = new long[n][];
   }
 
@@ -38,15 +38,15 @@ final class CycleBasis {
   }
 
   private void join(BitSet used) {
-    int outside = node.length - 1;
+    int outside = triangles.count() + triangles.edges(); // of the outer ring
     BitSet onHull = new BitSet();
     for (int side = used.nextSetBit(0); side >= 0; side = used.nextSetBit(side + 1)) {
       int e = triangles.edge(side);
-      int k = sides.hullPosition(e);
+      int k = sides.outerPosition(e);
       join(side / 3, triangles.count() + e, side);
       if (k != SignedSides.NONE && !onHull.get(k)) {
         onHull.set(k);
-        join(outside, triangles.count() + e, -1 - k);
+        join(outside + sides.boundary().ring(k), triangles.count() + e, -1 - k);
       }
     }
   }

@@ -2,6 +2,8 @@ package dct.core.degree.colour;
 
 import dct.core.Progress;
 import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
+import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
@@ -30,9 +32,9 @@ public final class OddSites {
   private final BitSet listed; // the sites whose triangles are known
   private int direction; // in which the next refutation is made smaller
 
-  private OddSites(AllTriangles triangles, HullRing ring, BitSet listed) {
+  private OddSites(AllTriangles triangles, Triangulation any, BitSet listed) {
     this.listed = listed;
-    sides = new SignedSides(triangles, ring);
+    sides = new SignedSides(triangles, new Boundary(any));
     search = new ColourSearch(sides);
   }
 
@@ -46,12 +48,29 @@ public final class OddSites {
   public static Optional<OddSites> of(
       HullRing ring, BitSet at, int mostTriangles, Progress progress) {
     return AllTriangles.of(ring.points(), at, mostTriangles, progress)
-        .map(triangles -> new OddSites(triangles, ring, at));
+        .map(triangles -> new OddSites(triangles, ring.triangulation(), at));
   }
 
-  /** The hull of the sites. */
-  public HullRing ring() {
-    return sides.ring();
+  /**
+   * Gets ready to decide for all vertices of what was triangulated, sites or a region; empty if
+   * there are more than so many empty triangles.
+   *
+   * @param any a triangulation with a triangle
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static Optional<OddSites> of(Triangulation any, int mostTriangles, Progress progress) {
+    BitSet all = new BitSet();
+    all.set(0, any.vertexCount());
+    Optional<AllTriangles> found =
+        any.domain() == Domain.SITES
+            ? AllTriangles.of(any.points(), all, mostTriangles, progress)
+            : RegionTriangles.of(any, mostTriangles, progress);
+    return found.map(triangles -> new OddSites(triangles, any, all));
+  }
+
+  /** The triangulation that the boundary was read from. */
+  public Triangulation triangulation() {
+    return sides.boundary().triangulation();
   }
 
   // ---- windows
@@ -78,9 +97,9 @@ public final class OddSites {
 
     private Window(BitSet sites, SignedSides sides) {
       this.sites = sites;
-      isAll = sites.cardinality() == sides.ring().points().size();
+      isAll = sites.cardinality() == sides.boundary().points().size();
       sites.stream().forEach(v -> addEdges(v, sides.triangles()));
-      addGaps(sides.ring());
+      addGaps(sides.boundary());
     }
 
     private void addEdges(int v, AllTriangles triangles) {
@@ -89,10 +108,11 @@ public final class OddSites {
       }
     }
 
-    private void addGaps(HullRing ring) {
-      for (int k = 0; k < ring.size(); k++) {
-        if (sites.get(ring.site(k)) && !sites.get(ring.site(k + 1))) {
-          gaps.set(ring.site(k + 1));
+    private void addGaps(Boundary boundary) {
+      for (int k = 0; k < boundary.size(); k++) {
+        int next = boundary.vertex(boundary.after(k));
+        if (sites.get(boundary.vertex(k)) && !sites.get(next)) {
+          gaps.set(next);
         }
       }
     }
@@ -163,7 +183,7 @@ public final class OddSites {
               smaller(Refutation.of(search.refutation(), sides, odd), window, odd, progress));
       case GIVEN_UP ->
           isUnbalanced
-              ? new Answer.Refuted(Refutation.exactly(sides.ring().points().size(), odd))
+              ? new Answer.Refuted(Refutation.exactly(triangulation().vertexCount(), odd))
               : new Answer.Open();
     };
   }
@@ -179,22 +199,37 @@ public final class OddSites {
   }
 
   /**
-   * Whether no odd vertex is inside the hull and the black and white hull edges, the colour
-   * changing at odd vertices, differ by no multiple of 3: each triangle has three of its colour,
-   * and each inner edge one of each.
+   * Whether no odd vertex is inside, an even number are on each ring, and the black and white
+   * boundary edges, the colour changing at odd vertices, differ by no multiple of 3 whatever the
+   * first colour of each ring is: each triangle has three of its colour, and each inner edge one of
+   * each.
    */
   private boolean isUnbalanced(BitSet odd) {
-    HullRing ring = sides.ring();
-    int sum = 0;
+    Boundary boundary = sides.boundary();
+    int[] sum = new int[boundary.rings()];
     int colour = 1;
-    int onHull = 0;
-    for (int k = 0; k < ring.size(); k++) {
-      sum += colour;
-      boolean isOdd = odd.get(ring.site(k + 1));
+    int onRings = 0;
+    for (int k = 0; k < boundary.size(); k++) {
+      sum[boundary.ring(k)] += colour;
+      boolean isOdd = odd.get(boundary.vertex(boundary.after(k)));
       colour = isOdd ? -colour : colour;
-      onHull += isOdd ? 1 : 0;
+      onRings += isOdd ? 1 : 0;
+      boolean isEnd = boundary.after(k) <= k;
+      if (isEnd && colour < 0) {
+        return false;
+      }
     }
-    return onHull == odd.cardinality() && sum % 3 != 0;
+    return onRings == odd.cardinality() && !canBalance(sum);
+  }
+
+  private static boolean canBalance(int... sum) {
+    int residues = 1 << Math.floorMod(sum[0], 3); // a bit each
+    for (int r = 1; r < sum.length; r++) {
+      int step = Math.floorMod(sum[r], 3);
+      int up = residues << step | residues << (3 - step);
+      residues = (up | up >> 3) & 7;
+    }
+    return (residues & 1) != 0;
   }
 
   // ---- fewer rows
@@ -226,7 +261,7 @@ public final class OddSites {
   }
 
   private Comparator<Integer> nextDirection() {
-    Points points = sides.ring().points();
+    Points points = triangulation().points();
     Comparator<Integer> byX = Comparator.comparingDouble(points::x);
     Comparator<Integer> byY = Comparator.comparingDouble(points::y);
     Comparator<Integer> order =

@@ -9,16 +9,17 @@ import java.util.BitSet;
  * <p>The unknown 2t + c is 1 if triangle t is part of the triangulation and has the colour c, 0 for
  * black. At a side of sign 1 ({@link SignedSides}) a triangle has effectively the other colour. On
  * an inner edge the triangles that are effectively black on the left sum to those effectively white
- * on the right, and the other way round. On the hull one triangle has effectively the colour of the
- * edge, and none the other: the first edge is black, and the colour changes with each ray that is
+ * on the right, and the other way round. On the boundary one triangle has effectively the colour of
+ * the edge, and none the other: the first edge of the outer ring is black, that of each hole has an
+ * unknown of its own, 1 if it is white, and along a ring the colour changes with each ray that is
  * crossed outside from edge to edge.
  *
  * <p>Claim: values 0 and 1 that fulfil all rows are the triangulations with exactly the given odd
  * vertices. Proof: let all be odd that shall be. The closed way round an inner vertex v through the
  * centres and midpoints has no other vertex inside; it crosses deg(v) edges, where the colour
  * changes, and an odd number of rays if v shall be odd, an even number otherwise; so colours can be
- * given round it, hence everywhere, and likewise along the hull. The other way: the number of
- * triangles over a point does not change across an edge and is 1 at the hull, so those with the
+ * given round it, hence everywhere, and likewise along each ring. The other way: the number of
+ * triangles over a point does not change across an edge and is 1 at the boundary, so those with the
  * value 1 are a triangulation, and the same ways show the parities. ∎
  *
  * <p>Two things follow from values known. Where the least or the greatest sum that a row can still
@@ -49,6 +50,7 @@ final class PartialColouring {
   private final int[] chosen; // unknowns that are 1
   private int chosenCount;
   private final int[] covered; // at 2e, 2e + 1: unknowns that are 1 on the left, right of edge e
+  private final byte[] change; // by position of a hole's ring: its edge is not as the first one
   private int[] odd = {};
   private int faultRow; // of the last conflict, or NONE
   private int fault; // an unknown that is 1 …
@@ -58,7 +60,7 @@ final class PartialColouring {
     this.sides = sides;
     triangles = sides.triangles();
     rows = new RowSums(triangles);
-    int unknowns = 2 * triangles.count();
+    int unknowns = unknowns(sides);
     sign = new byte[3 * triangles.count()];
     value = new byte[unknowns];
     Arrays.fill(value, FREE);
@@ -71,6 +73,19 @@ final class PartialColouring {
     Arrays.fill(absentBy, SignedSides.NONE);
     absent = new int[triangles.edges()];
     covered = new int[2 * triangles.edges()];
+    change = new byte[sides.boundary().size()];
+    for (int k = 0; k < change.length; k++) {
+      if (sides.boundary().ring(k) > 0) {
+        int row = 2 * sides.outerEdge(k);
+        rows.extend(row, addsRing(k, row));
+        rows.extend(row ^ 1, addsRing(k, row ^ 1));
+      }
+    }
+  }
+
+  /** How many unknowns there are: two a triangle, then one a hole. */
+  static int unknowns(SignedSides sides) {
+    return 2 * sides.triangles().count() + sides.boundary().rings() - 1;
   }
 
   /** Forgets all values; takes the signs of these odd sites, and the rows of these edges only. */
@@ -79,7 +94,7 @@ final class PartialColouring {
     changeSigns(odd);
     changeSigns(nextOdd);
     odd = nextOdd;
-    colourHull();
+    colourBoundary();
     rows.use(edges);
   }
 
@@ -91,26 +106,78 @@ final class PartialColouring {
     }
   }
 
-  private void colourHull() {
-    HullRing ring = sides.ring();
+  private void colourBoundary() {
+    Boundary boundary = sides.boundary();
     BitSet changes = new BitSet(); // positions after whose edge the colour is another
     for (int u : odd) {
-      changes.flip(sides.exit(u));
+      for (int exit : boundary.exits(u)) {
+        changes.flip(exit);
+      }
     }
     int colour = 0;
-    for (int k = 0; k < ring.size(); k++) {
-      int e = sides.hullEdge(k);
-      if (e != SignedSides.NONE) {
-        boolean isForward = ring.site(k) < ring.site(k + 1);
-        int row = 2 * e + (isForward ? colour : 1 - colour);
-        rows.want(row, isForward ? 1 : -1);
+    for (int k = 0; k < boundary.size(); k++) {
+      colour = k == boundary.first(boundary.ring(k)) ? 0 : colour;
+      if (boundary.ring(k) > 0 && change[k] != colour) {
+        turn(k);
+      }
+      if (sides.outerEdge(k) != SignedSides.NONE) {
+        int row = ringRow(k, colour);
+        rows.want(row, sides.isForward(k) ? 1 : -1);
         rows.want(row ^ 1, 0);
       }
       colour ^= changes.get(k) ? 1 : 0;
     }
   }
 
+  /** Gives the edge at a position of a hole's ring the other colour, compared with the first. */
+  private void turn(int k) {
+    int row = 2 * sides.outerEdge(k);
+    boolean isAdded = addsRing(k, row);
+    rows.shorten(row, isAdded);
+    rows.shorten(row ^ 1, !isAdded);
+    rows.extend(row, !isAdded);
+    rows.extend(row ^ 1, isAdded);
+    change[k] ^= 1;
+  }
+
+  /** The row in which triangles are that have this effective colour at a position. */
+  private int ringRow(int k, int colour) {
+    return 2 * sides.outerEdge(k) + (sides.isForward(k) ? colour : 1 - colour);
+  }
+
+  /** Whether the unknown of a ring is added in this row of the edge at a position. */
+  boolean addsRing(int k, int row) {
+    return (row == ringRow(k, change[k])) == sides.isForward(k);
+  }
+
+  /** The unknown of the hole on whose ring an edge is, or NONE. */
+  int ringUnknown(int edge) {
+    int k = sides.outerPosition(edge);
+    int ring = k == SignedSides.NONE ? 0 : sides.boundary().ring(k);
+    return ring == 0 ? SignedSides.NONE : 2 * triangles.count() + ring - 1;
+  }
+
+  /** Whether an unknown is that of a ring. */
+  boolean isRing(int x) {
+    return x >= 2 * triangles.count();
+  }
+
+  /** The row in which a triangle is wanted at a position; NONE while that is not known. */
+  int wantedRow(int k) {
+    int edge = sides.outerEdge(k);
+    int x = ringUnknown(edge);
+    if (x == SignedSides.NONE) {
+      return rows.isWanted(2 * edge) ? 2 * edge : 2 * edge + 1;
+    }
+    return value[x] == FREE ? SignedSides.NONE : ringRow(k, value[x] ^ change[k]);
+  }
+
   // ---- what is known
+
+  /** The sides of the triangles. */
+  SignedSides sides() {
+    return sides;
+  }
 
   /** The sums of the rows. */
   RowSums rows() {
@@ -211,6 +278,10 @@ final class PartialColouring {
     reason[x] = why;
     place[x] = size;
     trail[size++] = x;
+    if (isRing(x)) {
+      noteRing(x, to == 1, true);
+      return;
+    }
     if (to == 1) {
       chosen[chosenCount++] = x;
     }
@@ -220,6 +291,24 @@ final class PartialColouring {
       covered[2 * triangles.edge(side) + (isForward ? 0 : 1)] += to;
       rows.narrow(row(x, side), isForward == (to == 1));
     }
+  }
+
+  /** Tells the rows along a ring that its unknown is known, or no longer known. */
+  private void noteRing(int x, boolean isOne, boolean isKnown) {
+    Boundary boundary = sides.boundary();
+    int first = boundary.first(x - 2 * triangles.count() + 1);
+    int k = first;
+    do {
+      for (int row = 2 * sides.outerEdge(k); row < 2 * sides.outerEdge(k) + 2; row++) {
+        boolean raises = addsRing(k, row) == isOne;
+        if (isKnown) {
+          rows.narrow(row, raises);
+        } else {
+          rows.widen(row, raises);
+        }
+      }
+      k = boundary.after(k);
+    } while (k != first);
   }
 
   /** Takes values back, so that this many remain. */
@@ -237,6 +326,11 @@ final class PartialColouring {
   private void undoLast() {
     int x = trail[--size];
     int was = value[x];
+    if (isRing(x)) {
+      noteRing(x, was == 1, false);
+      value[x] = FREE;
+      return;
+    }
     chosenCount -= was;
     int first = x / 2 * 3;
     for (int side = first; side < first + 3; side++) {
@@ -257,7 +351,7 @@ final class PartialColouring {
         holds = settle(rows.next());
       } else {
         int x = trail[examined++];
-        holds = value[x] == 0 || excludeCrossed(x);
+        holds = value[x] == 0 || isRing(x) || excludeCrossed(x);
       }
       if (!holds) {
         rows.clear();
@@ -279,6 +373,10 @@ final class PartialColouring {
         if (value[x] == FREE) {
           set(x, triangles.isForward(side) == isLow ? 0 : 1, row);
         }
+      }
+      int x = ringUnknown(row >> 1);
+      if (x != SignedSides.NONE && value[x] == FREE) {
+        set(x, addsRing(sides.outerPosition(row >> 1), row) == isLow ? 0 : 1, row);
       }
     }
     return true;

@@ -7,12 +7,13 @@ import java.util.stream.IntStream;
 /**
  * The rows on the edges between empty triangles: what each can still sum to, and which are to be
  * looked at. Row 2e + q is that of edge e and the colour q; it adds the triangles on the left of
- * the edge and subtracts those on its right.
+ * the edge and subtracts those on its right. On the ring of a hole the colour of the ring counts as
+ * well, on the side where there is no triangle.
  */
 final class RowSums {
   private final int[] least; // by row
   private final int[] greatest; // by row
-  private final int[] wanted; // by row: 0 but on the hull
+  private final int[] wanted; // by row: 0 but on the boundary
   private final int[] oneSided; // rows that settle something before any value is known
   private final int[] queue; // a ring of rows to look at, first come, first served
   private final boolean[] isQueued; // by row
@@ -35,6 +36,24 @@ final class RowSums {
     oneSided = IntStream.range(0, rows).filter(r -> least[r] == 0 || greatest[r] == 0).toArray();
   }
 
+  /** One more unknown in a row, which is added or subtracted. */
+  void extend(int row, boolean isAdded) {
+    if (isAdded) {
+      greatest[row]++;
+    } else {
+      least[row]--;
+    }
+  }
+
+  /** The inverse of {@link #extend}, while the unknown is free. */
+  void shorten(int row, boolean wasAdded) {
+    if (wasAdded) {
+      greatest[row]--;
+    } else {
+      least[row]++;
+    }
+  }
+
   /** From now on only the rows of these edges count; those that settle something are to be seen. */
   void use(BitSet edges) {
     clear();
@@ -53,9 +72,9 @@ final class RowSums {
     wanted[row] = sum;
   }
 
-  /** The row of a hull edge in which a triangle is wanted. */
-  int wantedRow(int edge) {
-    return wanted[2 * edge] != 0 ? 2 * edge : 2 * edge + 1;
+  /** Whether a row must sum to something else than 0. */
+  boolean isWanted(int row) {
+    return wanted[row] != 0;
   }
 
   /** One unknown of a row becomes known: the least sum grows, or the greatest shrinks. */

@@ -12,62 +12,53 @@ import java.util.stream.IntStream;
  * parity of the rays that are crossed on the way, inside the triangle, from the centre to the
  * midpoint of the edge. So only the side opposite the top corner T, its bottom side, can have the
  * sign 1: the way there crosses the rays that cross the edge from T to the middle corner M, and
- * that of M where it runs into the triangle. Outside the hull, too, the way from the midpoint of
- * one edge to that of the next crosses rays.
+ * that of M where it runs into the triangle. Outside of the boundary, too, the way from the
+ * midpoint of one edge to that of the next crosses rays.
  *
- * <p>Sites are compared by height across the rays: by y, those with the same y from right to left.
- * So no two have the same height, and orientation decides the rest. Exact.
+ * <p>Sites are compared by height across the rays ({@link Boundary}). Exact.
  */
 final class SignedSides {
   static final int NONE = -1;
   private static final int MOST_KEPT = 1 << 23; // numbers of crossing edges
 
   private final AllTriangles triangles;
-  private final HullRing ring;
+  private final Boundary boundary;
   private final Points points;
   private final int[] bottom; // by triangle: its bottom side
   private final int[] flank; // by triangle: the edge from its top corner to the middle one
-  private final int[] hullEdge; // by position; NONE where no triangle is known
-  private final int[] hullPosition; // by edge, or NONE
+  private final int[] outerEdge; // by position; NONE where no triangle is known
+  private final int[] outerPosition; // by edge, or NONE
   private final int[][] crossed; // by site: the sides that its ray crosses, or null
   private final int[][] crossing; // by edge: the edges that cross it, or null
   private int kept; // numbers in crossing
   private final long[] noRay;
   private final long[][] raysAcross; // by triangle, or null
   private final long[][] raysOutside; // by position, or null
-  private final int[] rising; // positions of the hull from its lowest site to the one below its top
-  private int[] exits; // by site: where its ray leaves, or null
+  private int[][] exits; // by site: where its ray is crossed outside, or null
 
-  SignedSides(AllTriangles triangles, HullRing ring) {
+  SignedSides(AllTriangles triangles, Boundary boundary) {
     this.triangles = triangles;
-    this.ring = ring;
-    points = ring.points();
+    this.boundary = boundary;
+    points = boundary.points();
     bottom = new int[triangles.count()];
     flank = new int[triangles.count()];
     for (int t = 0; t < bottom.length; t++) {
       orderCorners(t);
     }
-    hullPosition = new int[triangles.edges()];
-    Arrays.fill(hullPosition, NONE);
-    hullEdge = new int[ring.size()];
-    for (int k = 0; k < hullEdge.length; k++) {
-      hullEdge[k] = triangles.findEdge(ring.site(k), ring.site(k + 1));
-      if (hullEdge[k] != NONE) {
-        hullPosition[hullEdge[k]] = k;
+    outerPosition = new int[triangles.edges()];
+    Arrays.fill(outerPosition, NONE);
+    outerEdge = new int[boundary.size()];
+    for (int k = 0; k < outerEdge.length; k++) {
+      outerEdge[k] = triangles.findEdge(boundary.vertex(k), boundary.vertex(boundary.after(k)));
+      if (outerEdge[k] != NONE) {
+        outerPosition[outerEdge[k]] = k;
       }
     }
     crossed = new int[points.size()][];
     crossing = new int[triangles.edges()][];
     noRay = new long[(points.size() + Long.SIZE - 1) / Long.SIZE];
     raysAcross = new long[triangles.count()][];
-    raysOutside = new long[ring.size()][];
-    rising =
-        IntStream.range(0, ring.size())
-            .filter(k -> isBelow(ring.site(k), ring.site(k + 1)))
-            .boxed()
-            .sorted((k, l) -> isBelow(ring.site(k), ring.site(l)) ? -1 : 1)
-            .mapToInt(Integer::intValue)
-            .toArray();
+    raysOutside = new long[boundary.size()][];
   }
 
   private void orderCorners(int t) {
@@ -87,28 +78,33 @@ final class SignedSides {
     return triangles;
   }
 
-  /** The hull of the sites. */
-  HullRing ring() {
-    return ring;
+  /** The boundary of the hull or the region. */
+  Boundary boundary() {
+    return boundary;
   }
 
-  /** The edge from the hull site at position k to the next one. */
-  int hullEdge(int k) {
-    return hullEdge[k];
+  /** The edge from the vertex at position k of the boundary to the next one. */
+  int outerEdge(int k) {
+    return outerEdge[k];
   }
 
-  /** Whether an edge is on the hull. */
-  boolean isOnHull(int edge) {
-    return hullPosition[edge] != NONE;
+  /** Whether an edge is on the boundary. */
+  boolean isOuter(int edge) {
+    return outerPosition[edge] != NONE;
   }
 
-  /** The position of an edge on the hull, or NONE. */
-  int hullPosition(int edge) {
-    return hullPosition[edge];
+  /** The position of an edge on the boundary, or NONE. */
+  int outerPosition(int edge) {
+    return outerPosition[edge];
+  }
+
+  /** Whether the triangles at an edge of the boundary are those on its forward sides. */
+  boolean isForward(int k) {
+    return boundary.vertex(k) < boundary.vertex(boundary.after(k));
   }
 
   private boolean isBelow(int u, int v) {
-    return points.y(u) < points.y(v) || (points.y(u) == points.y(v) && points.x(u) > points.x(v));
+    return boundary.isBelow(u, v);
   }
 
   // ---- rays
@@ -150,34 +146,18 @@ final class SignedSides {
     return raysAcross[t];
   }
 
-  /**
-   * The position of the hull edge just before the way outside, from one edge to the next, crosses
-   * the ray of a site: the last one that begins below the site or in it, but for rays from the top.
-   */
-  int exit(int u) {
-    int low = 0;
-    int high = rising.length;
-    while (high - low > 1) {
-      int middle = (low + high) >>> 1;
-      if (isBelow(u, ring.site(rising[middle]))) {
-        high = middle;
-      } else {
-        low = middle;
-      }
-    }
-    boolean isTop = u == ring.site(rising[low] + 1);
-    return Math.floorMod(isTop ? rising[low] : rising[low] - 1, ring.size());
-  }
-
-  /** The sites whose rays are crossed outside from the first hull edge to that at position k. */
+  /** The sites whose rays are crossed outside from the first edge of a ring to that at k. */
   long[] raysOutside(int k) {
     if (exits == null) {
-      exits = IntStream.range(0, points.size()).map(this::exit).toArray();
+      exits = IntStream.range(0, points.size()).mapToObj(boundary::exits).toArray(int[][]::new);
     }
     if (raysOutside[k] == null) {
       raysOutside[k] = new long[noRay.length];
+      int first = boundary.first(boundary.ring(k));
       for (int u = 0; u < exits.length; u++) {
-        raysOutside[k][u / Long.SIZE] |= exits[u] < k ? 1L << u : 0;
+        for (int exit : exits[u]) {
+          raysOutside[k][u / Long.SIZE] ^= exit >= first && exit < k ? 1L << u : 0;
+        }
       }
     }
     return raysOutside[k];

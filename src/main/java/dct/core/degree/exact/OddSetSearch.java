@@ -3,7 +3,6 @@ package dct.core.degree.exact;
 import dct.core.Progress;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
-import dct.core.degree.colour.HullRing;
 import dct.core.degree.colour.OddSites;
 import dct.core.degree.colour.OddSites.Answer;
 import dct.core.degree.colour.OddSites.Answer.Found;
@@ -90,7 +89,7 @@ public final class OddSetSearch {
     all.set(0, start.vertexCount());
     return start.vertexCount() > MOST_SITES
         ? Optional.empty()
-        : OddSites.of(HullRing.of(start), all, MOST_TRIANGLES, progress)
+        : OddSites.of(start, MOST_TRIANGLES, progress)
             .map(sites -> within(sites, all, goal, progress));
   }
 
@@ -106,7 +105,7 @@ public final class OddSetSearch {
   }
 
   private int[] order(ParityGoal goal) {
-    Triangulation start = sites.ring().triangulation();
+    Triangulation start = sites.triangulation();
     int[] order = new int[all.cardinality()];
     int size = 0;
     for (boolean granted : new boolean[] {false, true}) {
@@ -203,7 +202,7 @@ public final class OddSetSearch {
     long most = Math.min(each, limit - steps());
     Answer answer = sites.decide(window, learned.set(), most, progress);
     if (answer instanceof Found) {
-      found = window.isAll() ? TriangleMesh.of(sites.ring().points(), sites.corners()) : null;
+      found = window.isAll() ? TriangleMesh.of(sites.triangulation(), sites.corners()) : null;
       return Outcome.FOUND;
     }
     if (answer instanceof Refuted refuted) {

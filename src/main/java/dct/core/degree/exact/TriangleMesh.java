@@ -26,17 +26,31 @@ final class TriangleMesh {
   }
 
   /**
-   * The triangulation with these triangles, which tile the hull of the sites.
+   * The triangulation of sites with these triangles, which tile their hull.
    *
    * @param corners three sites a triangle, counter-clockwise
    */
   static Triangulation of(Points points, int[] corners) {
-    TriangleMesh mesh = new TriangleMesh(points.size(), corners.length / 3);
+    Dcel dcel = dcel(points.size(), 0, corners);
+    return new Triangulation(Domain.SITES, points, dcel, number -> EdgeKind.DIAGONAL);
+  }
+
+  /**
+   * Another triangulation of the same, with these triangles.
+   *
+   * @param corners three vertices a triangle, counter-clockwise
+   */
+  static Triangulation of(Triangulation any, int[] corners) {
+    int outer = any.dcel().origin(any.dcel().faceEdge(Dcel.OUTER));
+    return any.with(dcel(any.vertexCount(), outer, corners));
+  }
+
+  private static Dcel dcel(int n, int outer, int[] corners) {
+    TriangleMesh mesh = new TriangleMesh(n, corners.length / 3);
     for (int k = 0; k < corners.length; k += 3) {
       mesh.add(corners[k], corners[k + 1], corners[k + 2]);
     }
-    Dcel dcel = mesh.close(points.size());
-    return new Triangulation(Domain.SITES, points, dcel, number -> EdgeKind.DIAGONAL);
+    return mesh.close(n, outer);
   }
 
   private void add(int a, int b, int c) {
@@ -55,21 +69,43 @@ final class TriangleMesh {
     return edge[from][to];
   }
 
-  /** Links the half-edges without a triangle: at each hull site one arrives and one leaves. */
-  private Dcel close(int n) {
+  /**
+   * Links the half-edges without a triangle: at each vertex of a ring one arrives and one leaves.
+   *
+   * @param outer a vertex of the outer ring, if there are several
+   */
+  private Dcel close(int n, int outer) {
     int[] leaving = new int[n];
+    Arrays.fill(leaving, Dcel.NONE);
     for (int e = 0; e < used; e++) {
       if (links.next()[e] == HalfEdges.NONE) {
         leaving[links.origin()[e]] = e;
       }
     }
-    int outer = Dcel.NONE;
-    for (int e = 0; e < used; e++) {
+    int[] cycles = new int[n];
+    int count = 0;
+    for (int e = used - 1; e >= 0; e--) {
       if (links.next()[e] == HalfEdges.NONE) {
-        links.link(e, leaving[links.origin()[e ^ 1]]);
-        outer = e;
+        cycles[count++] = e;
+        if (closeCycle(e, leaving, outer)) {
+          cycles[count - 1] = cycles[0];
+          cycles[0] = e;
+        }
       }
     }
-    return Dcel.of(n, links, outer, Progress.NONE);
+    return Dcel.of(n, links, Arrays.copyOf(cycles, count), Progress.NONE);
+  }
+
+  /** Links a cycle; whether it passes this vertex. */
+  private boolean closeCycle(int first, int[] leaving, int vertex) {
+    boolean passes = false;
+    int e = first;
+    do {
+      passes |= links.origin()[e] == vertex;
+      int following = leaving[links.origin()[e ^ 1]];
+      links.link(e, following);
+      e = following;
+    } while (e != first);
+    return passes;
   }
 }
