@@ -142,8 +142,9 @@ final class GenerateCommand extends Verb {
   }
 
   private String shapeWord() {
+    String kind = what.getValue();
     String usual =
-        switch (what.getValue()) {
+        switch (kind) {
           case "points" -> SiteShape.UNIFORM.word();
           case "region" -> RegionShape.ANNULUS.word();
           default -> PolygonShape.TWO_OPT.word();

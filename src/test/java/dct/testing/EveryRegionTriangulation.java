@@ -5,9 +5,11 @@ import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
 import dct.core.geometry.Rings;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * The sets of odd vertices of every triangulation of a small region. All triangles are listed by
@@ -24,6 +26,9 @@ public final class EveryRegionTriangulation {
   private final int n;
   private final boolean[][] wall; // by directed pair: a boundary edge with the inside on its left
   private final boolean[][] edge; // by pair: they see each other, boundary and fixed ones included
+  private final int[] turns; // orientation of three vertices, in base n
+  private final int[][] crossing; // by pair a n + b: the pairs that cross it
+  private final boolean[] isEmpty; // by three vertices, in base n: an empty triangle, to the left
   private final Set<Integer> oddSets = new HashSet<>();
   private final boolean[][] open; // by directed pair: lacks a triangle on its left
   private final boolean[][] done; // by directed pair: has one
@@ -37,6 +42,10 @@ public final class EveryRegionTriangulation {
     this.most = most;
     p = rings.points();
     n = p.size();
+    turns = new int[n * n * n];
+    Arrays.setAll(turns, t -> p.orient(t / (n * n), t / n % n, t % n));
+    isEmpty = new boolean[turns.length];
+    crossing = new int[n * n][];
     wall = new boolean[n][n];
     edge = new boolean[n][n];
     open = new boolean[n][n];
@@ -55,13 +64,25 @@ public final class EveryRegionTriangulation {
       for (int b = 0; b < n; b++) {
         edge[a][b] = a != b && isFree(a, b);
         open[a][b] = wall[a][b];
+        crossing[a * n + b] = crossing(a, b);
+        for (int c = 0; c < n; c++) {
+          isEmpty[(a * n + b) * n + c] = turn(a, b, c) > 0 && isEmpty(a, b, c);
+        }
       }
     }
     extend();
   }
 
   private int turn(int a, int b, int c) {
-    return p.orient(a, b, c);
+    return turns[(a * n + b) * n + c];
+  }
+
+  private boolean cross(int a, int b, int c, int d) {
+    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+  }
+
+  private int[] crossing(int a, int b) {
+    return IntStream.range(0, n * n).filter(q -> cross(a, b, q / n, q % n)).toArray();
   }
 
   /** No vertex between them, and no boundary or fixed edge crossed. */
@@ -76,7 +97,7 @@ public final class EveryRegionTriangulation {
       if (e >= n || rings.isOnRing(e)) {
         int c = rings.from(e);
         int d = rings.to(e);
-        if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) {
+        if (cross(a, b, c, d)) {
           return false;
         }
       }
@@ -102,7 +123,7 @@ public final class EveryRegionTriangulation {
   }
 
   private void tryTriangle(int a, int b, int c) {
-    if (c == a || c == b || turn(a, b, c) <= 0 || !fits(b, c) || !fits(c, a) || !isEmpty(a, b, c)) {
+    if (!isEmpty[(a * n + b) * n + c] || !fits(b, c) || !fits(c, a)) {
       return;
     }
     int before = odd;
@@ -128,14 +149,9 @@ public final class EveryRegionTriangulation {
     if (!edge[a][b] || done[a][b] || done[b][a] || wall[a][b] || wall[b][a]) {
       return false;
     }
-    for (int c = 0; c < n; c++) {
-      for (int d = 0; d < n; d++) {
-        boolean isThere = done[c][d] || open[c][d];
-        if (isThere
-            && turn(a, b, c) * turn(a, b, d) < 0
-            && turn(c, d, a) * turn(c, d, b) < 0) {
-          return false;
-        }
+    for (int q : crossing[a * n + b]) {
+      if (done[q / n][q % n] || open[q / n][q % n]) {
+        return false;
       }
     }
     return true;

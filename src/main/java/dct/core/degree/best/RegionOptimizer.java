@@ -36,6 +36,7 @@ import java.util.concurrent.CancellationException;
  */
 public final class RegionOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
+  private static final int LITTLE_PATIENCE = 20; // of the first search
   private static final int ROUNDS = 7; // without a limit of time
   private static final int MANY = 2000; // vertices; to begin anew would cost more than to go on
   private static final int SEEDS_APART = 1 << 16; // of searches one after the other
@@ -50,11 +51,7 @@ public final class RegionOptimizer {
   private int unmet;
 
   private RegionOptimizer(
-      Region region,
-      Triangulation start,
-      ParityGoal goal,
-      SearchLimits limits,
-      Progress progress) {
+      Region region, Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
     this.start = start;
     this.goal = goal;
     this.limits = limits;
@@ -136,7 +133,9 @@ public final class RegionOptimizer {
   private void search(int k) {
     long seed = limits.seed() + (long) SEEDS_APART * k;
     SiteSearch search = new SiteSearch(start, goal, seed, clock);
-    search.pairUp(bound.value(), PATIENCE);
+    boolean isFirst =
+        k == 0 && start.vertexCount() <= MANY; // refuting may be quicker than going on
+    search.pairUp(bound.value(), isFirst ? LITTLE_PATIENCE : PATIENCE);
     if (search.unmet() < unmet) {
       take(search.triangulation());
     }

@@ -107,7 +107,8 @@ final class SiteSearch {
     for (int pass = 0; pass < SWEEPS && !progress.isCancelled(); pass++) {
       inParts(part -> part.sweep(0));
     }
-    int pairings = start.domain() == Domain.SITES ? 2 : 0; // distances are those of the whole region
+    int pairings =
+        start.domain() == Domain.SITES ? 2 : 0; // distances are those of the whole region
     for (int pass = 0; pass < pairings && !progress.isCancelled(); pass++) {
       inParts(part -> part.pairUp(0, PART_PATIENCE));
     }

@@ -31,8 +31,8 @@ import java.util.stream.Collectors;
  * black without loss, that of each hole is black or white. So a walk round each ring gives the
  * fewest changes against the wishes for each difference modulo 3, and the differences must add up
  * to 0. With all vertices even, of rings of h₀, h₁, … vertices: h₀ ± h₁ ± … ≡ 0 for some choice of
- * signs, or else two vertices are odd. Where a ring has an odd number of odd vertices there are
- * no colours, and nothing follows but that an even number of rings are like that, since all odd
+ * signs, or else two vertices are odd. Where a ring has an odd number of odd vertices there are no
+ * colours, and nothing follows but that an even number of rings are like that, since all odd
  * vertices are on rings and the handshake lemma counts them. Where a site is wished otherwise than
  * even there is no bound of this kind; and where there are sites one of them may miss its wish in
  * place of any number of ring vertices.

@@ -14,8 +14,7 @@ final class CycleBasis {
   private final AllTriangles triangles;
   private final int words;
   private final List<List<int[]>> joins = new ArrayList<>(); // by node: another node, and its side
-  private final int[]
-      node; // by triangle, by edge behind them, and by ring: 1 + its number
+  private final int[] node; // by triangle, by edge behind them, and by ring: 1 + its number
   private long[][] rays; // by node: those crossed on the way there
   private final long[][] withLead; // by site: the cycle whose first site it is, or null
   private int rank;

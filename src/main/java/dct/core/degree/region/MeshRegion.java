@@ -184,7 +184,8 @@ final class MeshRegion {
     double nearest = Double.POSITIVE_INFINITY;
     double farthest = 0;
     for (int i = 0; i < size; i++) {
-      px[i] = mesh.hops == null
+      px[i] =
+          mesh.hops == null
               ? Math.sqrt(mesh.squaredDistance(ring[i], target))
               : mesh.hops.distance(ring[i]);
       nearest = Math.min(nearest, px[i]);
