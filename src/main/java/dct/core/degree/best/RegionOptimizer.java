@@ -38,6 +38,7 @@ public final class RegionOptimizer {
   private static final int PATIENCE = 300; // rounds of a search that have not helped
   private static final int LITTLE_PATIENCE = 20; // of the first search
   private static final int ROUNDS = 7; // without a limit of time
+  private static final int PARTS = 4; // of the steps of a proof, one a round
   private static final int MANY = 2000; // vertices; to begin anew would cost more than to go on
   private static final int SEEDS_APART = 1 << 16; // of searches one after the other
 
@@ -122,7 +123,7 @@ public final class RegionOptimizer {
 
   private void refute(OddSetProof proof) {
     Optimum known = new Optimum(best, goal, unmet, bound, false);
-    long steps = (long) (Math.max(1, limits.effort()) * OddSetProof.STEPS / ROUNDS);
+    long steps = (long) (Math.max(1, limits.effort()) * OddSetProof.STEPS / PARTS);
     Optimum better = proof.improve(known, steps);
     best = better.triangulation();
     unmet = better.unmet();
