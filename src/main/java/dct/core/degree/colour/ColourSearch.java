@@ -103,10 +103,20 @@ final class ColourSearch {
       int e = sides.outerEdge(k);
       if (e != SignedSides.NONE && !colouring.isCovered(e, sides.isForward(k))) {
         int row = colouring.wantedRow(k);
-        if (row != SignedSides.NONE) {
+        if (row == SignedSides.NONE) {
+          offerRing(colouring.ringUnknown(e));
+        } else {
           offer(row, sides.isForward(k));
         }
       }
+    }
+  }
+
+  /** Offers the colour of a hole's ring, one of two. */
+  private void offerRing(int x) {
+    if (fewest > 2) {
+      fewest = 2;
+      next = x;
     }
   }
 
