@@ -43,7 +43,7 @@ public final class EveryRegionTriangulation {
     p = rings.points();
     n = p.size();
     turns = new int[n * n * n];
-    Arrays.setAll(turns, t -> p.orient(t / (n * n), t / n % n, t % n));
+    Arrays.setAll(turns, t -> p.orient(t / (n * n), (t / n) % n, t % n));
     isEmpty = new boolean[turns.length];
     crossing = new int[n * n][];
     wall = new boolean[n][n];
@@ -52,12 +52,12 @@ public final class EveryRegionTriangulation {
     done = new boolean[n][n];
     ExactArea area = new ExactArea(p);
     for (int r = 0; r < rings.count(); r++) {
-      boolean turned = area.ofRing(rings.ring(r)).signum() > 0 != (r == 0);
+      boolean turned = (area.ofRing(rings.ring(r)).signum() > 0) != (r == 0);
       for (int k = 0; k < rings.size(r); k++) {
         int a = rings.vertex(r, k);
         int b = rings.after(a);
         wall[turned ? b : a][turned ? a : b] = true;
-        odd ^= 1 << a ^ 1 << b;
+        odd ^= (1 << a) | (1 << b);
       }
     }
     for (int a = 0; a < n; a++) {
@@ -165,7 +165,7 @@ public final class EveryRegionTriangulation {
     }
     open[b][a] = true;
     opened.add(new int[] {b, a});
-    odd ^= 1 << a ^ 1 << b;
+    odd ^= (1 << a) | (1 << b);
   }
 
   private void undo(int a, int b) {

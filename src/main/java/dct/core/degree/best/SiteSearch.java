@@ -14,8 +14,8 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
 /**
- * Few unmet vertices in a triangulation of sites, found by re-solving one part of it after the
- * other; their number never grows.
+ * Few unmet vertices in a triangulation of sites or of a region, found by re-solving one part of it
+ * after the other; their number never grows.
  *
  * <p>{@link #pairUp}: a small region, a simple polygon with no vertex inside, is cut out and
  * triangulated anew by an exact table, the parities outside it being given. First a region around

@@ -58,6 +58,9 @@ public final class BoundExplanation {
     if (any.domain() == Domain.POLYGON) {
       return ofPolygon(any, goal, proven.value());
     }
+    if (any.domain() == Domain.REGION) {
+      return new BoundExplanation(any, goal, proven, progress).ofRegion();
+    }
     return any.triangleCount() == 0
         ? Optional.of(ofPath(any, goal))
         : new BoundExplanation(any, goal, proven, progress).ofSites();
@@ -122,6 +125,15 @@ public final class BoundExplanation {
                 + (others == 1 ? "1 wish is" : 2 - others + " wishes are")
                 + " missed."),
         marks);
+  }
+
+  // ---- regions
+
+  /** The count over the rings is not drawn; what it forbids is refuted triangle by triangle. */
+  private Optional<Explanation> ofRegion() {
+    return value == 0
+        ? Optional.empty()
+        : reached(handshake.bound(), () -> HandshakeMarks.of(goal)).or(this::refuted);
   }
 
   // ---- sites

@@ -9,8 +9,8 @@ import java.util.List;
  * Finds a triangulation with exactly some odd vertices, or what shows that there is none.
  *
  * <p>Where nothing follows from what is known, a triangle is chosen on an edge that lacks one, on
- * that edge which has the fewest left. From a conflict the search goes back to the last choice that
- * it rests on, and excludes it.
+ * that edge which has the fewest left; before that the first colour of a hole's ring, which settles
+ * much. From a conflict the search goes back to the last choice that it rests on, and excludes it.
  */
 final class ColourSearch {
   /** How a search ended. */
@@ -19,6 +19,8 @@ final class ColourSearch {
     REFUTED,
     GIVEN_UP
   }
+
+  private static final int RING_COLOURS = 2;
 
   private final SignedSides sides;
   private final AllTriangles triangles;
@@ -114,8 +116,8 @@ final class ColourSearch {
 
   /** Offers the colour of a hole's ring, one of two. */
   private void offerRing(int x) {
-    if (fewest > 2) {
-      fewest = 2;
+    if (fewest > RING_COLOURS) {
+      fewest = RING_COLOURS;
       next = x;
     }
   }

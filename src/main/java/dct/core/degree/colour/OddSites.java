@@ -10,8 +10,8 @@ import java.util.Comparator;
 import java.util.Optional;
 
 /**
- * Decides whether some triangulation of sites has exactly given odd vertices, and no others; or
- * whether that can be said of the sites in a window.
+ * Decides whether some triangulation of sites, or of a region, has exactly given odd vertices, and
+ * no others; or whether that can be said of the sites in a window.
  *
  * <p>The triangles that it may consist of are coloured so that neighbours differ, but for a change
  * of colour across rays from the odd vertices ({@link SignedSides}); the rows on their edges are
@@ -226,8 +226,8 @@ public final class OddSites {
     int residues = 1 << Math.floorMod(sum[0], 3); // a bit each
     for (int r = 1; r < sum.length; r++) {
       int step = Math.floorMod(sum[r], 3);
-      int up = residues << step | residues << (3 - step);
-      residues = (up | up >> 3) & 7;
+      int moved = (residues << step) | (residues << (3 - step));
+      residues = (moved | (moved >> 3)) & 7;
     }
     return (residues & 1) != 0;
   }

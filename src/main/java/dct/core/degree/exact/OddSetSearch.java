@@ -15,8 +15,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Finds a triangulation of sites with at most so many unmet wishes, or proves that there is none;
- * or that there is none with so few in a window.
+ * Finds a triangulation of sites, or of a region, with at most so many unmet wishes, or proves that
+ * there is none; or that there is none with so few in a window of sites. The vertices of a region
+ * are sites here, those on its rings as well.
  *
  * <p>Tries sets of unmet sites: first none, and then, each set being refuted, those with one site
  * more. A refutation names the sites that matter to it ({@link

@@ -13,6 +13,10 @@ import dct.core.SeededRandom;
  * and vanish. Neither ever makes the number of unmet vertices larger. A step costs the same
  * whatever the size of the part.
  *
+ * <p>In a region the way to a partner leads round holes: distances are counted in edges of the mesh
+ * ({@link Hops}), and only a search of the whole region may walk. What is solved anew has more
+ * vertices there, since many of its edges are on the boundary.
+ *
  * <p>Two that meet need not vanish: around them the triangles may force a three-colouring of the
  * vertices to turn by a third, which a region without unmet vertices cannot do. Then another
  * partner, or the same one reached by another way, will do; so partners are drawn more freely the
