@@ -73,7 +73,7 @@ final class ChosenRegion {
   }
 
   private RegionShape chosen() {
-    List<RegionShape> all = RegionShape.all(shapes);
+    List<RegionShape> all = shapes.regions();
     if (all.isEmpty() || all.stream().anyMatch(region -> region.rings().isEmpty())) {
       throw new BadInputException(
           source,

@@ -93,9 +93,12 @@ class ForgedRegionTest {
   @Test
   void ringsThatAreOthersAreRefused() {
     assertThat(refusal(result -> result.remove("rings"))).contains("cross at");
-    assertThat(refusal(result -> result.getAsJsonArray("rings").remove(2)))
-        .contains("on one side of edge")
-        .contains("no triangle");
+    Consumer<JsonObject> withoutHole =
+        result -> {
+          result.getAsJsonArray("rings").remove(2);
+          result.add("ringSizes", numbers(6, 5));
+        };
+    assertThat(refusal(withoutHole)).contains("on one side of edge").contains("no triangle");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(15))))
         .contains("vertex 15");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(99))))

@@ -70,18 +70,11 @@ public final class RegionShape {
   }
 
   /**
-   * The regions that the shapes of a file make: that which the file says it holds, or else one for
-   * each ring, with the holes and sites that follow it. Where the file does not tell rings from
-   * holes, all its rings are of one region. The rims of triangles are rings, too.
+   * The regions that the shapes of a file make: one for each ring, with the holes and sites that
+   * follow it. Where the file does not tell rings from holes, all its rings are of one region. The
+   * rims of triangles are rings, too.
    */
-  public static List<RegionShape> all(Shapes shapes) {
-    return shapes
-        .region()
-        .map(whole -> List.of(whole.shape()))
-        .orElseGet(() -> all(shapes.shapes()));
-  }
-
-  private static List<RegionShape> all(List<Shape> shapes) {
+  static List<RegionShape> all(List<Shape> shapes) {
     List<RegionShape> regions = new ArrayList<>();
     List<Shape> group = new ArrayList<>();
     Optional<Shape.Kind> before = Optional.empty(); // of the last ring of the group

@@ -43,10 +43,18 @@ public record Shapes(
     this(format, shapes, notes, Optional.empty(), false);
   }
 
+  /**
+   * The regions that the shapes make: that which the file says it holds, or else one for each ring,
+   * with the holes and sites that follow it. Where the file does not tell rings from holes, all its
+   * rings are of one region. The rims of triangles are rings, too.
+   */
+  public List<RegionShape> regions() {
+    return region.map(whole -> List.of(whole.shape())).orElseGet(() -> RegionShape.all(shapes));
+  }
+
   /** The outlines of the regions that the shapes make, for a list. */
   public Shapes outlines() {
-    return new Shapes(
-        format, RegionShape.all(this).stream().map(RegionShape::outline).toList(), notes);
+    return new Shapes(format, regions().stream().map(RegionShape::outline).toList(), notes);
   }
 
   /** A file with one shape, of which nothing was left out. */
