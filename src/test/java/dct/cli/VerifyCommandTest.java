@@ -123,7 +123,9 @@ class VerifyCommandTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Domain.class)
+  @EnumSource(
+      value = Domain.class,
+      names = {"POLYGON", "SITES"})
   void every_wrong_number_is_caught(Domain domain) throws IOException {
     String points = domain == Domain.SITES ? sites(30) : POLYGON;
     List<String> fields =

@@ -127,7 +127,7 @@ class DamagedFilesTest {
       }
     }
     Points points = Points.ofPairs(0, 0, 9, 1, 12, 7, 5, 3, 1, 8);
-    for (Domain domain : Domain.values()) {
+    for (Domain domain : Domain.applications()) {
       Instance instance = Instance.of(domain, "a", points, Progress.NONE);
       Method method = domain == Domain.SITES ? Method.DELAUNAY : Method.MONOTONE;
       Drawing drawing = Drawing.of(Solution.of(instance, method, Progress.NONE));

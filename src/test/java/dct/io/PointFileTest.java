@@ -121,7 +121,9 @@ class PointFileTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Domain.class)
+  @EnumSource(
+      value = Domain.class,
+      names = {"POLYGON", "SITES"})
   void a_comment_or_the_name_says_what_the_points_are(Domain domain, @TempDir Path folder)
       throws IOException {
     assertThat(read("0 0\n").declared()).isEmpty();
@@ -135,7 +137,9 @@ class PointFileTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Domain.class)
+  @EnumSource(
+      value = Domain.class,
+      names = {"POLYGON", "SITES"})
   void writes_what_it_reads(Domain domain, @TempDir Path folder) throws IOException {
     for (String name : new String[] {"x" + FileNames.suffix(domain) + ".txt", "x.txt"}) {
       Path file = folder.resolve(name);

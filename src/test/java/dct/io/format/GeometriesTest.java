@@ -255,7 +255,7 @@ class GeometriesTest {
       double[] pairs = new double[6 + 2 * random.nextInt(20)];
       Arrays.setAll(pairs, i -> Math.scalb(random.nextDouble() - 0.5, random.nextInt(2000) - 1000));
       Points points = Points.ofPairs(pairs);
-      for (Domain domain : Domain.values()) {
+      for (Domain domain : Domain.applications()) {
         for (FileEnding ending : List.of(FileEnding.WKT, FileEnding.GEOJSON)) {
           ByteArrayOutputStream out = new ByteArrayOutputStream();
           DataFile.write(out, ending, Drawing.of("x", domain, points), Progress.NONE);

@@ -89,7 +89,7 @@ class TriangleFormatTest {
       double[] pairs = new double[6 + 2 * random.nextInt(20)];
       Arrays.setAll(pairs, i -> Math.scalb(random.nextDouble() - 0.5, random.nextInt(200) - 100));
       Points points = Points.ofPairs(pairs);
-      for (Domain domain : Domain.values()) {
+      for (Domain domain : Domain.applications()) {
         for (FileEnding ending : List.of(FileEnding.POLY, FileEnding.OFF, FileEnding.OBJ)) {
           ByteArrayOutputStream out = new ByteArrayOutputStream();
           DataFile.write(out, ending, Drawing.of("x", domain, points), Progress.NONE);
