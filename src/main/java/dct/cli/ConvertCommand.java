@@ -19,7 +19,7 @@ final class ConvertCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Write it to: "
+          "Where to: "
               + Output.endings()
               + "; - is standard output, text if --to says nothing else. May repeat.");
   private final OptionSpec to =

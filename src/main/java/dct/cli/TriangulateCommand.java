@@ -36,7 +36,7 @@ final class TriangulateCommand extends Verb {
   private final OptionSpec output =
       outputs(
           false,
-          "Write it to: "
+          "Where to: "
               + Output.endings()
               + "; .json is the whole result, and so is - on standard output. May repeat.");
   private final PictureParameters picture = new PictureParameters(this);

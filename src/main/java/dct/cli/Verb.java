@@ -21,6 +21,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
  * time that the program takes to start.
  */
 abstract class Verb implements Callable<Integer> {
+  private static final int LINE = 72; // letters of a description, beside the names of options
   /** The verbs that there are. */
   static final List<String> NAMES =
       List.of(
@@ -169,9 +170,22 @@ abstract class Verb implements Callable<Integer> {
     if (label.contains("|") && builder.completionCandidates() == null) {
       builder.completionCandidates(words(label));
     }
-    OptionSpec option = builder.paramLabel(label).arity("1").description(description).build();
+    OptionSpec option =
+        builder.paramLabel(label).arity("1").description(lines(description)).build();
     spec.addOption(option);
     return option;
+  }
+
+  /** The lines of a description, broken between words alone: picocli would break behind a dot. */
+  private static String[] lines(String description) {
+    StringBuilder text = new StringBuilder();
+    int length = 0;
+    for (String word : description.split(" ")) {
+      boolean fits = length + 1 + word.length() <= LINE;
+      text.append(length == 0 ? "" : fits ? " " : "\n").append(word);
+      length = length > 0 && fits ? length + 1 + word.length() : word.length();
+    }
+    return text.toString().split("\n");
   }
 
   /** The words that a label such as {@code even|odd|FILE} names, for completion; none is null. */

@@ -115,14 +115,14 @@ class CommandLineProgramTest {
             + " see dct triangulate --help",
         "triangulate a --json=yes | dct triangulate: --json takes no value, write it without one;"
             + " see dct triangulate --help",
-        "triangulate a --as | dct triangulate: --as needs a value: polygon or points;"
+        "triangulate a --as | dct triangulate: --as needs a value: polygon or points or region;"
             + " see dct triangulate --help",
         "triangulate a -o --json | dct triangulate: -o needs a value: OUTPUT;"
             + " see dct triangulate --help",
         "triangulate a --optimize even --time-limit 1,5 | dct triangulate: --time-limit 1,5 is not"
             + " a number, use one such as 2.5; see dct triangulate --help",
         "triangulate - --as point | dct triangulate: --as point is unknown (did you mean points?),"
-            + " use polygon or points; see dct triangulate --help",
+            + " use polygon, points or region; see dct triangulate --help",
         "triangulate a -o b.pdx | dct triangulate: the ending of b.pdx is no format, use .txt,"
             + " .json, .wkt, .geojson, .node, .poly, .ele, .edge, .off, .obj, .instance.json,"
             + " .solution.json, .png, .svg, .pdf, .ipe or .tex; see dct triangulate --help",
@@ -137,15 +137,15 @@ class CommandLineProgramTest {
         "completion powershell | dct completion: the shell powershell is unknown, use bash, zsh or"
             + " fish; see dct completion --help",
         "triangulate - --as lines | dct triangulate: --as lines is unknown,"
-            + " use polygon or points; see dct triangulate --help",
+            + " use polygon, points or region; see dct triangulate --help",
         "triangulate - --algorithm delaunay | dct triangulate: --algorithm delaunay is none for"
-            + " a polygon, use monotone, ear-clipping, convex-even, convex-odd;"
+            + " a polygon, use monotone, ear-clipping, convex-even, convex-odd, constrained-delaunay;"
             + " see dct triangulate --help",
         "triangulate - --as points --algorithm monotone | dct triangulate: --algorithm monotone is"
             + " none for points, use delaunay; see dct triangulate --help",
         "triangulate - --algorithm monotnoe | dct triangulate: --algorithm monotnoe is none for"
             + " a polygon (did you mean monotone?), use monotone, ear-clipping, convex-even,"
-            + " convex-odd; see dct triangulate --help",
+            + " convex-odd, constrained-delaunay; see dct triangulate --help",
         "generate points | dct generate: -n N is missing; see dct generate --help",
         "generate points -n | dct generate: -n needs a value: N; see dct generate --help",
         "generate points -n x | dct generate: -n x is not a whole number, use one such as 100;"
@@ -158,7 +158,7 @@ class CommandLineProgramTest {
         "generate points -n 0 | dct generate: the number of random sites is from 1 to 100000000;"
             + " 0 is not;"
             + " see dct generate --help",
-        "generate circles -n 5 | dct generate: the kind circles is unknown, use points or polygon;"
+        "generate circles -n 5 | dct generate: the kind circles is unknown, use points, polygon or region;"
             + " see dct generate --help",
         "generate points -n 5 --shape cluster | dct generate: --shape cluster is unknown"
             + " (did you mean clusters?), use uniform, disk, clusters, lattice, jittered-lattice,"

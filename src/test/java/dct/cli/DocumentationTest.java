@@ -3,6 +3,7 @@ package dct.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.RegionShape;
 import dct.experiment.generate.SiteShape;
 import dct.io.FileEnding;
 import dct.io.FileEnding.Content;
@@ -113,9 +114,11 @@ class DocumentationTest {
     String readme = Files.readString(Path.of("README.md"));
     String polygons = quoted(Arrays.stream(PolygonShape.values()).map(PolygonShape::word));
     String sites = quoted(Arrays.stream(SiteShape.values()).map(SiteShape::word));
+    String regions = quoted(Arrays.stream(RegionShape.values()).map(RegionShape::word));
     assertThat(readme.replaceAll("\\s+", " "))
         .contains("Polygons: " + polygons + ".")
-        .contains("Sites: " + sites + ".");
+        .contains("Sites: " + sites + ".")
+        .contains("Regions: " + regions + ".");
     String outputs = readme.substring(readme.indexOf("`-o` writes"), readme.indexOf("`--json`"));
     String help = CliRun.of("triangulate", "--help").out();
     assertThat(endings(outputs)).isEqualTo(endings(help.substring(help.indexOf("--output="))));

@@ -100,7 +100,7 @@ class ForgedRegionTest {
         };
     assertThat(refusal(withoutHole)).contains("on one side of edge").contains("no triangle");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(15))))
-        .contains("vertex 15");
+        .contains("v15");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(99))))
         .contains("there is no vertex 99");
     assertThat(refusal(result -> result.getAsJsonArray("rings").set(1, numbers(6, 7, 8, 9, 10))))

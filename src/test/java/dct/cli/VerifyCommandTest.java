@@ -216,7 +216,8 @@ class VerifyCommandTest {
             POLYGON,
             none,
             j -> j.addProperty("algorithm", "magic"),
-            "the algorithm is none of monotone, ear-clipping, convex-even, convex-odd or unknown"),
+            "the algorithm is none of monotone, ear-clipping, convex-even, convex-odd,"
+                + " constrained-delaunay or unknown"),
         lie(
             "algorithm of the other kind",
             sites,

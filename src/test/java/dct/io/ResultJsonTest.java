@@ -232,7 +232,7 @@ class ResultJsonTest {
       })
   void names_what_is_wrong(String text, String message) {
     String edge =
-        "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\" as the third";
+        "write [u, v, \"boundary\"], or \"diagonal\", \"partition\", \"flipped\", \"fixed\" as the third";
     assertThatThrownBy(() -> read(text.replace('~', '\n')))
         .isInstanceOf(BadInputException.class)
         .hasMessage("in.json:" + message.replace("EDGE", edge));

@@ -125,6 +125,13 @@ public final class Region {
     return walk == null ? polygon.vertex(position) : walk[position];
   }
 
+  /** The vertices by their positions. */
+  public int[] walk() {
+    int[] vertices = new int[positions()];
+    Arrays.setAll(vertices, this::vertex);
+    return vertices;
+  }
+
   /** The position of this vertex, or {@link Points#NONE} of a site. */
   public int position(int v) {
     return positions == null ? polygon.vertex(v) : positions[v]; // of a polygon its own inverse

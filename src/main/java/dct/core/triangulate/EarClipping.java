@@ -49,7 +49,7 @@ public final class EarClipping {
   private EarClipping(Region region, Progress progress) {
     this.progress = progress;
     points = region.points();
-    dcel = region.isPolygon() ? Dcel.cycle(walk(region)) : RegionTies.tied(region, progress);
+    dcel = region.isPolygon() ? Dcel.cycle(region.walk()) : RegionTies.tied(region, progress);
     corners = inner(dcel);
     vertex = new int[corners];
     leaving = new int[corners];
@@ -65,14 +65,6 @@ public final class EarClipping {
       isReflex[v] = reflexCorners[v] > 0;
     }
     grid = new ReflexGrid(points, isReflex);
-  }
-
-  private static int[] walk(Region region) {
-    int[] walk = new int[region.size()];
-    for (int k = 0; k < walk.length; k++) {
-      walk[k] = region.vertex(k);
-    }
-    return walk;
   }
 
   private static int inner(Dcel dcel) {

@@ -33,8 +33,9 @@ public final class MonotonePartition {
   private final int n;
   private final int[] order; // vertices, lowest first
   private final int[] rank; // place of each vertex in that order
-  private final RegionLinks edges;
-  private final HalfEdges links;
+  private final Dcel pieces; // of a polygon, cut one after the other; null otherwise
+  private final RegionLinks edges; // null for a polygon, as the next one is
+  private final HalfEdges links; // an edge between two rings parts nothing: faces come at the end
   private final SweepStatus status; // the left edges of the trapezoids; edge k leaves position k
   private final int[] rightOf; // by left edge: the right edge of its trapezoid
   private final int[] leftOf; // by right edge: the left edge of its trapezoid
@@ -54,9 +55,10 @@ public final class MonotonePartition {
       Progress.check(progress, k);
       rank[order[k]] = k;
     }
-    edges = new RegionLinks(region, rank);
-    links = edges.links();
-    int bound = links.bound();
+    pieces = isPolygon ? Dcel.cycle(region.walk()) : null;
+    edges = isPolygon ? null : new RegionLinks(region, rank);
+    links = isPolygon ? null : edges.links();
+    int bound = region.positions() + region.rings().fixedCount();
     status = new SweepStatus(points, bound);
     rightOf = new int[bound];
     leftOf = new int[bound];
@@ -83,8 +85,11 @@ public final class MonotonePartition {
   public static Partition partition(Region region, Progress progress) {
     MonotonePartition run = new MonotonePartition(region, false, progress);
     run.sweep(progress);
-    Dcel dcel = Dcel.of(run.n, run.links, run.edges.outside(), progress);
-    return new Partition(region, dcel);
+    return new Partition(
+        region,
+        run.isPolygon
+            ? run.pieces
+            : Dcel.of(run.n, run.links, run.edges.outside(), progress));
   }
 
   /**
@@ -338,7 +343,7 @@ public final class MonotonePartition {
 
   /** A new edge between two corners; the half-edge that leaves the first. */
   private int join(int a, int b) {
-    return links.connect(links.take(), a, b);
+    return isPolygon ? pieces.splitFace(a, b) : links.connect(links.take(), a, b);
   }
 
   private void openTrapezoid(int left, int right, int upperSupport, boolean cusp) {
@@ -379,8 +384,8 @@ public final class MonotonePartition {
 
   /** Where the level line from v meets the edge, rounded towards v. */
   private double levelX(int v, int edge, boolean rightwards) {
-    int a = edges.from(edge);
-    int b = edges.to(edge);
+    int a = isPolygon ? vertex(edge) : edges.from(edge);
+    int b = isPolygon ? vertex(after(edge)) : edges.to(edge);
     return points.y(a) == points.y(b)
         ? nearer(points.x(a), points.x(b), rightwards)
         : Crossings.levelX(points, a, b, points.y(v), rightwards);
