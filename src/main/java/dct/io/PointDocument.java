@@ -11,6 +11,7 @@ import dct.io.format.Choice;
 import dct.io.text.BadInputException;
 import dct.problem.Instance;
 import dct.problem.Solution;
+import dct.problem.verify.ClaimedRings;
 import dct.problem.verify.Claims;
 import dct.problem.verify.FalseClaim;
 import dct.problem.verify.Restoration;
@@ -135,7 +136,7 @@ public final class PointDocument {
   private static Optional<Rings> rings(Claims claims, Choice choice) {
     boolean isRegion = choice.as().or(claims::domain).orElse(choice.otherwise()) == Domain.REGION;
     try {
-      return isRegion ? Optional.of(claims.rings()) : Optional.empty();
+      return isRegion ? Optional.of(ClaimedRings.of(claims)) : Optional.empty();
     } catch (FalseClaim e) {
       String cure = "; correct \"rings\" and \"fixed\"";
       throw new BadInputException(claims.source(), e.line(), e.getMessage() + cure);

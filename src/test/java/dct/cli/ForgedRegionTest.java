@@ -100,7 +100,9 @@ class ForgedRegionTest {
         };
     assertThat(refusal(withoutHole)).contains("on one side of edge").contains("no triangle");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(15))))
-        .contains("v15");
+        .contains("edges v14–v13 and v15–v1 cross");
+    assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(1))))
+        .contains("vertex 1 is on two rings, or twice on one");
     assertThat(refusal(result -> ring(result, 0).set(0, new JsonPrimitive(99))))
         .contains("there is no vertex 99");
     assertThat(refusal(result -> result.getAsJsonArray("rings").set(1, numbers(6, 7, 8, 9, 10))))

@@ -64,6 +64,9 @@ class JsonFieldsTest {
     collect(printed, CliRun.of("verify", result, "--json"));
     collect(
         printed, CliRun.of("generate", "points", "-n", 5, "--json", "-o", folder.resolve("p.txt")));
+    Object[] region = {"triangulate", "samples/plate_region.txt", "-o", "-"};
+    printed.addAll(json(CliRun.of(region).done().out()).keySet());
+    collect(printed, CliRun.of("check", "samples/plate_region.txt", "--json"));
     printed.addAll(List.of("documentWishes", "certificate")); // of the window, of large sets
     Set<String> inside = Set.of("format", "version", "seed", "timeLimit");
     assertThat(described()).isSubsetOf(printed);

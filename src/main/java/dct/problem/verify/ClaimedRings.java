@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** What a file says of the rings and the fixed edges of a region. */
-final class ClaimedRings {
+public final class ClaimedRings {
   /** The field with the vertices of each ring. */
   static final String RINGS = "rings";
 
@@ -26,11 +26,12 @@ final class ClaimedRings {
   }
 
   /**
-   * The rings: one through all points in their order where nothing is said.
+   * The rings, one through all points in their order where nothing is said, with the fixed edges.
+   * That they bound a region has not been checked.
    *
    * @throws FalseClaim if they have vertices that there are not, or one twice
    */
-  static Rings of(Claims claims) {
+  public static Rings of(Claims claims) {
     Points points = claims.points();
     Optional<List<int[]>> rings = claims.lists(RINGS);
     FalseClaim.unless(

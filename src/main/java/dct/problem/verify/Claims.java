@@ -3,7 +3,6 @@ package dct.problem.verify;
 import dct.core.degree.LocalBound;
 import dct.core.degree.ParityGoal;
 import dct.core.geometry.Points;
-import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.problem.Post;
 import java.util.Arrays;
@@ -195,16 +194,6 @@ public final class Claims {
     return values.get(name) instanceof List<?> all
         ? Optional.of(all.stream().filter(int[].class::isInstance).map(int[].class::cast).toList())
         : Optional.empty();
-  }
-
-  /**
-   * The rings of a region, one through all points in their order where nothing is said, and its
-   * fixed edges. That they bound a region has not been checked.
-   *
-   * @throws FalseClaim if they have vertices that there are not, or one twice
-   */
-  public Rings rings() {
-    return ClaimedRings.of(this);
   }
 
   /** The truth value in the field of this name, if it is there and one. */

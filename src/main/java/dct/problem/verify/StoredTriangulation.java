@@ -85,7 +85,7 @@ final class StoredTriangulation {
       String name = claims.text("input").orElse(claims.source());
       instance =
           domain == Domain.REGION
-              ? Instance.of(name, claims.rings(), progress)
+              ? Instance.of(name, ClaimedRings.of(claims), progress)
               : Instance.of(domain, name, points, progress);
     } catch (InvalidGeometryException e) {
       throw new FalseClaim(claims.line(e.defect().first()), e.defect().message());
