@@ -53,7 +53,7 @@ final class FishCompletion {
     if (option.arity().max() > 0) {
       text.append(" -r").append(option.completionCandidates() == null ? "" : words(option));
     }
-    return text.append(" -d ").append(quoted(option.description()[0])).toString();
+    return text.append(" -d ").append(quoted(String.join(" ", option.description()))).toString();
   }
 
   private static String words(ArgSpec of) {

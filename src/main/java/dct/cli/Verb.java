@@ -22,6 +22,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
  */
 abstract class Verb implements Callable<Integer> {
   private static final int LINE = 72; // letters of a description, beside the names of options
+
   /** The verbs that there are. */
   static final List<String> NAMES =
       List.of(
@@ -180,12 +181,12 @@ abstract class Verb implements Callable<Integer> {
   private static String[] lines(String description) {
     StringBuilder text = new StringBuilder();
     int length = 0;
-    for (String word : description.split(" ")) {
+    for (String word : description.split(" ", -1)) {
       boolean fits = length + 1 + word.length() <= LINE;
       text.append(length == 0 ? "" : fits ? " " : "\n").append(word);
       length = length > 0 && fits ? length + 1 + word.length() : word.length();
     }
-    return text.toString().split("\n");
+    return text.toString().lines().toArray(String[]::new);
   }
 
   /** The words that a label such as {@code even|odd|FILE} names, for completion; none is null. */

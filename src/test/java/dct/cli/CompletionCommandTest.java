@@ -86,7 +86,7 @@ class CompletionCommandTest {
         "-n __fish_use_subcommand -a check -d 'Is it a simple polygon, usable sites, or a region? Says what is"
             + " wrong, and where.'",
         "-n '__fish_seen_subcommand_from generate' -l shape -r -a 'uniform disk clusters",
-        "-n '__fish_seen_subcommand_from triangulate' -s o -l output -r -d 'Write it to.'",
+        "-n '__fish_seen_subcommand_from triangulate' -s o -l output -r -d 'Where to.'",
         "-n '__fish_seen_subcommand_from check' -l quiet -d 'Print nothing.'",
         "-n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'",
       })

@@ -87,9 +87,7 @@ public final class MonotonePartition {
     run.sweep(progress);
     return new Partition(
         region,
-        run.isPolygon
-            ? run.pieces
-            : Dcel.of(run.n, run.links, run.edges.outside(), progress));
+        run.isPolygon ? run.pieces : Dcel.of(run.n, run.links, run.edges.outside(), progress));
   }
 
   /**

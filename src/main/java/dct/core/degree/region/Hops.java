@@ -3,22 +3,31 @@ package dct.core.degree.region;
 import java.util.function.IntPredicate;
 
 /**
- * How many edges of a {@link SearchMesh} there are from vertices to a target, by breadth-first
- * search: the distance in a region, where a straight way may lead through holes. It is that of the
- * mesh when it was asked for; what changes since then changes it little.
+ * How many edges of a mesh there are from vertices to a target, by breadth-first search: the
+ * distance in a region, where a straight way may lead through holes. It is that of the mesh when it
+ * was asked for; what changes since then changes it little.
  */
 final class Hops {
-  private final SearchMesh mesh;
+  private static final int NONE = -1; // in place of a vertex
+
+  private final Neighbours neighbours;
   private final int[] hops; // by vertex: 1 more than the distance from the target; 0 if not reached
   private final int[] queue; // vertices reached, in this order
   private int reached;
   private int farthest;
-  private final VertexList spokes = new VertexList();
+  private final VertexList around = new VertexList();
 
-  Hops(SearchMesh mesh) {
-    this.mesh = mesh;
-    hops = new int[mesh.size()];
-    queue = new int[mesh.size()];
+  /** Lists the vertices that have an edge with one. */
+  @FunctionalInterface
+  interface Neighbours {
+    void collect(int v, VertexList neighbours);
+  }
+
+  /** Of a mesh of so many vertices. */
+  Hops(int size, Neighbours neighbours) {
+    this.neighbours = neighbours;
+    hops = new int[size];
+    queue = new int[size];
   }
 
   /** The distance from v to the target; one more than any other if v was not reached. */
@@ -28,7 +37,7 @@ final class Hops {
 
   /**
    * Measures the distances to a target as far as it takes to reach such a vertex, which is
-   * returned, or NONE.
+   * returned, or −1.
    */
   int search(int target, IntPredicate isSought) {
     for (int k = 0; k < reached; k++) {
@@ -36,13 +45,12 @@ final class Hops {
     }
     reached = 0;
     add(target, 1);
-    int found = SearchMesh.NONE;
-    for (int k = 0; k < reached && found == SearchMesh.NONE; k++) {
+    int found = NONE;
+    for (int k = 0; k < reached && found == NONE; k++) {
       int v = queue[k];
-      mesh.collectEdges(v, spokes);
-      for (int i = 0; i < spokes.size() && found == SearchMesh.NONE; i++) {
-        int e = spokes.get(i);
-        int w = mesh.corner[e] == v ? mesh.corner[SearchMesh.next(e)] : mesh.corner[e];
+      neighbours.collect(v, around);
+      for (int i = 0; i < around.size() && found == NONE; i++) {
+        int w = around.get(i);
         if (hops[w] == 0) {
           add(w, hops[v] + 1);
           found = isSought.test(w) ? w : found;

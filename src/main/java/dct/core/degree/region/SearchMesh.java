@@ -72,7 +72,7 @@ public final class SearchMesh {
     corner = new int[4 * start.triangleCount()];
     twin = new int[corner.length];
     readTriangles(start, place, progress);
-    hops = start.domain() == Domain.REGION ? new Hops(this) : null;
+    hops = start.domain() == Domain.REGION ? new Hops(n, this::collectNeighbours) : null;
   }
 
   private void readTriangles(Triangulation start, int[] place, Progress progress) {
@@ -171,6 +171,14 @@ public final class SearchMesh {
     } while (e != NONE && e != first);
     if (e == NONE) {
       edges.add(last);
+    }
+  }
+
+  private void collectNeighbours(int v, VertexList neighbours) {
+    collectEdges(v, neighbours);
+    for (int i = 0; i < neighbours.size(); i++) {
+      int e = neighbours.get(i);
+      neighbours.set(i, corner[e] == v ? corner[next(e)] : corner[e]);
     }
   }
 

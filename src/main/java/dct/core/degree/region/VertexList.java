@@ -17,6 +17,10 @@ public final class VertexList {
     return items[i];
   }
 
+  void set(int i, int v) {
+    items[i] = v;
+  }
+
   public int last() {
     return items[size - 1];
   }
