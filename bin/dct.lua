@@ -15,6 +15,7 @@ local layer_of_kind = {
   diagonal = "diagonals",
   partition = "partition",
   flipped = "flipped",
+  fixed = "fixed",
 }
 
 -- The vertices of a path that is one straight ring or line; nil if it is another.

@@ -37,8 +37,8 @@ final class ExperimentCommand extends Verb {
   ExperimentCommand(Console console) {
     super(
         console,
-        "Runs a study: many random sets of sites or polygons, and how many of their vertices become"
-            + " even.",
+        "Runs a study: many random sets of sites, polygons or regions, and how many of their"
+            + " vertices become even.",
         "A file that ends in .csv keeps the rows as they come: after Ctrl+C, and with more sets or"
             + " sizes, the same command goes on from it and computes no row again. Each row has its"
             + " seed, with which dct generate makes the same input.");

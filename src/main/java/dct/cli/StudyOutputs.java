@@ -36,9 +36,9 @@ final class StudyOutputs {
         verb.option(
             "--chart",
             "C",
-            List.of("sizes", "increase", "shapes", "pieces", "reflex"),
+            List.of("sizes", "increase", "shapes", "pieces", "reflex", "holes"),
             "Which chart: for points sizes (default), increase or shapes; for polygons shapes"
-                + " (default), sizes, pieces or reflex.");
+                + " (default), sizes, pieces or reflex; for annuli sizes (default) or holes.");
   }
 
   private List<String> names() {

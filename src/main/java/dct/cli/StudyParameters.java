@@ -3,7 +3,9 @@ package dct.cli;
 import dct.core.Progress;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.RegionShape;
 import dct.experiment.generate.SiteShape;
+import dct.experiment.study.AnnuliStudy;
 import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.SizeList;
@@ -36,7 +38,8 @@ final class StudyParameters {
 
   /** Declares them. */
   StudyParameters(Verb verb) {
-    what = verb.parameter("points|polygons", "What is studied.");
+    what =
+        verb.parameter("points|polygons|annuli", "What is studied; annuli are regions with holes.");
     files = verb.parameters("FILE", "Polygons that are studied, too.");
     shapes =
         verb.option(
@@ -44,20 +47,20 @@ final class StudyParameters {
             "S,…",
             String.class,
             "Which random ones, by the words of dct generate; for points uniform by default, for"
-                + " polygons all; none leaves only the files.");
+                + " polygons and annuli all; none leaves only the files.");
     sizes =
         verb.option(
             "--sizes",
             "N,…",
             String.class,
             "The numbers of vertices, as 50,100,200 or 50-500:50, which is the default for points;"
-                + " for polygons 10,20,50,100,200,500,1000.");
+                + " for polygons 10,20,50,100,200,500,1000, for annuli 50,100,200.");
     sets =
         verb.option(
             "--sets",
             "N",
             Integer.class,
-            "How many of each shape and size; 5 by default for points, 100 for polygons.");
+            "How many of each shape and size; 5 by default for points, 100 for polygons, 40 for annuli.");
     seed =
         verb.option(
             "--seed", "N", Long.class, "From which all others follow, any whole number; 1.");
@@ -74,8 +77,19 @@ final class StudyParameters {
     return switch (word) {
       case "points" -> points();
       case "polygons" -> polygons();
-      default -> throw UsageException.unknown("the study", word, List.of("points", "polygons"));
+      case "annuli" -> annuli();
+      default ->
+          throw UsageException.unknown("the study", word, List.of("points", "polygons", "annuli"));
     };
+  }
+
+  private Study annuli() {
+    if (!fileNames().isEmpty()) {
+      throw new UsageException("the study of annuli takes no files, leave them out");
+    }
+    List<String> known = RegionShape.words();
+    return new AnnuliStudy(
+        plan(known, known, AnnuliStudy.SIZES, PolygonShape.MOST, AnnuliStudy.SETS));
   }
 
   private Study points() {

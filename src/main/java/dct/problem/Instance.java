@@ -64,8 +64,12 @@ public sealed interface Instance {
    * @throws java.util.concurrent.CancellationException if cancelled
    */
   static OfRegion of(String name, Rings rings, Progress progress) {
-    return new OfRegion(
-        name, Region.of(rings, progress), ParityGoal.allEven(rings.points().size()));
+    return of(name, Region.of(rings, progress));
+  }
+
+  /** A region, every vertex wished even. */
+  static OfRegion of(String name, Region region) {
+    return new OfRegion(name, region, ParityGoal.allEven(region.size()));
   }
 
   /** A polygon that is known to be simple, every vertex wished even. */

@@ -78,6 +78,59 @@ class ExperimentCommandTest {
     assertThat(polygons("--threads", 3)).isEqualTo(one);
   }
 
+  private static CliRun annuli(Object... more) {
+    Object[] all = new Object[more.length + 6];
+    System.arraycopy(
+        new Object[] {"experiment", "annuli", "--sizes", "24,40", "--sets", 4}, 0, all, 0, 6);
+    System.arraycopy(more, 0, all, 6, more.length);
+    return CliRun.of(all);
+  }
+
+  @Test
+  void annuli_give_the_same_bytes_whatever_the_threads() throws IOException {
+    CliRun one = annuli("--threads", 1).done();
+    assertThat(one.out())
+        .contains("Share of even vertices of random regions", "| annulus ", "| courtyards ")
+        .contains("Holes, and the share", "Rings whose length 3 does not divide, and the share");
+    assertThat(annuli("--threads", 3)).isEqualTo(one);
+    Path chart = folder.resolve("holes.svg");
+    annuli("--quiet", "--chart", "holes", "-o", chart).done();
+    assertThat(chart).content().contains("Even vertices and holes");
+  }
+
+  @Test
+  void a_region_can_be_made_again_from_its_row() throws IOException {
+    Path csv = folder.resolve("a.csv");
+    annuli("-o", csv).done();
+    List<String> rows = Files.readAllLines(csv);
+    assertThat(rows).hasSize(1 + 24);
+    for (String line : rows.subList(1, rows.size())) {
+      String[] cells = line.split(",", -1);
+      String text =
+          CliRun.of(
+                  "generate",
+                  "region",
+                  "--shape",
+                  cells[0],
+                  "-n",
+                  cells[1],
+                  "--holes",
+                  cells[4],
+                  "--seed",
+                  cells[3])
+              .done()
+              .out();
+      String summary =
+          CliRun.withInput(text, "triangulate", "-", "--algorithm", "monotone", "--flip", "--json")
+              .done()
+              .out();
+      assertThat(summary)
+          .contains("\"evenBefore\": " + cells[8] + ",", "\"even\": " + cells[9] + ",");
+      int missing = Integer.parseInt(cells[1]) - Integer.parseInt(cells[13]);
+      assertThat(missing).as(line).isGreaterThanOrEqualTo(cells[5].equals("1") ? 2 : 0);
+    }
+  }
+
   @Test
   void real_polygons_are_studied_too() {
     Path file = Path.of("samples", "comb_polygonbased.txt");
@@ -200,7 +253,7 @@ class ExperimentCommandTest {
 
   @Test
   void wrong_usage_is_said_in_one_sentence() {
-    requireUsage("the study lines is unknown, use points or polygons", "lines");
+    requireUsage("the study lines is unknown, use points, polygons or annuli", "lines");
     requireUsage("--sizes 2 is not from 3 to", "points", "--sizes", "2");
     requireUsage("--sizes 99999999999 is not from 3 to", "points", "--sizes", "99999999999");
     requireUsage("--sizes x is no number and no FROM-TO:STEP", "points", "--sizes", "10,x");

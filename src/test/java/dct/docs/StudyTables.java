@@ -71,6 +71,7 @@ public final class StudyTables {
     page.with("sites", sites(rows(folder.resolve("points.csv"), "points", "--sets", "50")))
         .with("shapes", shapes(polygons, true))
         .with("sizes", sizes(polygons))
+        .with("annuli", annuli(rows(folder.resolve("annuli.csv"), "annuli")))
         .with(
             "pieces",
             pieces(
@@ -115,6 +116,24 @@ public final class StudyTables {
       map.put(heads[column], cells[column]);
     }
     return new Row(map);
+  }
+
+  /** By the number of holes, and by how many rings have a length that 3 does not divide. */
+  static String annuli(List<Row> rows) {
+    StringBuilder out = new StringBuilder("| Regions | number |").append(HEADS).append(rule(1, 5));
+    for (int holes = 1; holes <= 4; holes++) {
+      out.append(annuli(holes == 1 ? "1 hole" : holes + " holes", rows, "holes", holes));
+    }
+    for (int rings = 0; rings <= 3; rings++) {
+      String words = rings + (rings == 1 ? " ring" : " rings") + " not ≡ 0 mod 3";
+      out.append(annuli(words, rows, "rings_not_divisible_by_3", rings));
+    }
+    return out.toString();
+  }
+
+  private static String annuli(String words, List<Row> rows, String column, int value) {
+    List<Row> some = rows.stream().filter(row -> row.value(column) == value).toList();
+    return line(words, some.size() + " | " + String.join(" | ", shares(some)));
   }
 
   /** The thesis's means and ours. */

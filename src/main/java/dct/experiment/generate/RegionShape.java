@@ -60,8 +60,8 @@ public enum RegionShape {
    * @throws java.util.concurrent.CancellationException if the caller asked to stop
    */
   public Region generate(int n, int holes, long seed, Progress progress) {
-    int[] sizes = sizes(n, holes);
     SeededRandom random = new SeededRandom(seed);
+    int[] sizes = sizes(n, holes, random);
     List<Points> chains =
         this == ANNULUS
             ? Nested.annulus(sizes[0], sizes[1], random, progress)
@@ -73,8 +73,8 @@ public enum RegionShape {
     return this == COURTYARDS ? PolygonShape.ORTHOGONAL : PolygonShape.TOUR;
   }
 
-  /** The numbers of vertices of the outer ring and of each hole. */
-  private int[] sizes(int n, int holes) {
+  /** The numbers of vertices of the outer ring and of each hole; of an annulus they vary. */
+  private int[] sizes(int n, int holes, SeededRandom random) {
     int least = this == COURTYARDS ? CORNERS : LEAST;
     boolean many = this == ANNULUS && holes > 1;
     if (holes < 1 || many || n < least * (holes + 1) || n > PolygonShape.MOST) {
@@ -90,8 +90,13 @@ public enum RegionShape {
               this == ANNULUS ? "one hole" : "a hole at least"));
     }
     int[] sizes = new int[holes + 1];
-    int each = this == COURTYARDS ? CORNERS : Math.max(LEAST, n / (holes + 1 + holes));
-    Arrays.fill(sizes, this == ANNULUS ? n / 2 : each);
+    int each =
+        switch (this) {
+          case ANNULUS -> Math.max(LEAST, n / 2 - random.nextInt(n / 6 + 1));
+          case HOLES -> Math.max(LEAST, n / (2 * holes + 1));
+          case COURTYARDS -> CORNERS;
+        };
+    Arrays.fill(sizes, each);
     sizes[0] = n - holes * sizes[1];
     return sizes;
   }

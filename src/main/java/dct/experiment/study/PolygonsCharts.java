@@ -56,12 +56,15 @@ final class PolygonsCharts {
 
   private Chart sizes() {
     return lines(
-        1, "Even vertices of random polygons", "vertices", Groups.by(rows, r -> r.trial().n()));
+        WORDS.get(1),
+        "Even vertices of random polygons",
+        "vertices",
+        Groups.by(rows, r -> r.trial().n()));
   }
 
   private Chart pieces() {
     return lines(
-        2,
+        WORDS.get(2),
         "Even vertices and convex pieces",
         "convex pieces for each vertex",
         bins(PolygonsColumns::pieces));
@@ -69,7 +72,7 @@ final class PolygonsCharts {
 
   private Chart reflex() {
     return lines(
-        3,
+        WORDS.get(3),
         "Even vertices and reflex vertices",
         "share of reflex vertices",
         bins(PolygonsColumns::reflex));
@@ -81,10 +84,11 @@ final class PolygonsCharts {
     return bins;
   }
 
-  private static Chart lines(
-      int word, String title, String x, Map<? extends Number, List<StudyRow>> groups) {
+  /** The means of all methods over the keys of these groups. */
+  static Chart lines(
+      String word, String title, String x, Map<? extends Number, List<StudyRow>> groups) {
     return new Chart(
-        WORDS.get(word),
+        word,
         title,
         x + ERRORS,
         SHARE,

@@ -28,12 +28,19 @@ final class PolygonsColumns {
   /** All names, in the order of the columns. */
   static List<String> all() {
     List<String> all = new ArrayList<>(List.of(REFLEX, PIECES));
-    for (Method method : METHODS) {
-      all.add(before(method));
-      all.add(after(method));
-    }
-    all.addAll(List.of(StudyRow.BEST, StudyRow.LIMIT));
+    all.addAll(ofMethods());
     return all;
+  }
+
+  /** The names of what the methods and the optimizer make. */
+  static List<String> ofMethods() {
+    List<String> names = new ArrayList<>();
+    for (Method method : METHODS) {
+      names.add(before(method));
+      names.add(after(method));
+    }
+    names.addAll(List.of(StudyRow.BEST, StudyRow.LIMIT));
+    return names;
   }
 
   /** Whether the row belongs to a file. */

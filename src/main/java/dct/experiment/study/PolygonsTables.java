@@ -9,8 +9,7 @@ import java.util.function.ToDoubleFunction;
 
 /** The tables of the study of polygons. */
 final class PolygonsTables {
-  private static final String WORDS =
-      "Numbers are means ± half the 95 % interval (standard deviation).";
+  static final String WORDS = "Numbers are means ± half the 95 % interval (standard deviation).";
 
   private PolygonsTables() {}
 
@@ -49,11 +48,12 @@ final class PolygonsTables {
     return cells;
   }
 
-  private static String mean(List<StudyRow> group, ToDoubleFunction<StudyRow> value) {
+  static String mean(List<StudyRow> group, ToDoubleFunction<StudyRow> value) {
     return String.format(Locale.ROOT, "%.1f", Groups.sample(group, value).mean());
   }
 
-  private static List<String> columns(String... first) {
+  /** The heads of a table: these, then those of the methods. */
+  static List<String> columns(String... first) {
     List<String> columns = new ArrayList<>(List.of(first));
     for (Method method : PolygonsColumns.METHODS) {
       columns.addAll(List.of(method.algorithm(), method.algorithm() + ", Scan-Flip"));
@@ -62,7 +62,8 @@ final class PolygonsTables {
     return columns;
   }
 
-  private static void addMethods(List<String> cells, List<StudyRow> group) {
+  /** Adds the cells of the methods. */
+  static void addMethods(List<String> cells, List<StudyRow> group) {
     for (Method method : PolygonsColumns.METHODS) {
       cells.add(share(group, PolygonsColumns.before(method)));
       cells.add(share(group, PolygonsColumns.after(method)));

@@ -50,6 +50,14 @@ class DocumentFileTest {
                 + "; nothing was changed, choose another place");
   }
 
+  @Test
+  void a_region_is_refused_with_a_sentence() {
+    refusesToRead(
+        Path.of("samples", "plate_region.txt"),
+        ": it holds a region with holes, sites or fixed edges inside, which the window does not"
+            + " show; triangulate it by dct triangulate");
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -5,7 +5,6 @@ import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.stream.IntStream;
 
 /**
@@ -34,8 +33,10 @@ final class Boundary {
   Boundary(Triangulation triangulation) {
     this.triangulation = triangulation;
     points = triangulation.points();
-    int[] starts = starts(triangulation);
-    vertex = new int[Arrays.stream(starts).map(e -> length(triangulation.dcel(), e)).sum()];
+    Dcel dcel = triangulation.dcel();
+    boolean isHull = triangulation.domain() == Domain.SITES; // one cycle, and perhaps many sites
+    int[] starts = isHull ? new int[] {dcel.faceEdge(Dcel.OUTER)} : dcel.outerCycles();
+    vertex = new int[Arrays.stream(starts).map(e -> length(dcel, e)).sum()];
     after = new int[vertex.length];
     before = new int[vertex.length];
     ring = new int[vertex.length];
@@ -45,28 +46,7 @@ final class Boundary {
       first[r] = size;
       size = walk(starts[r], size, r);
     }
-    rising = triangulation.domain() == Domain.SITES ? rising() : null;
-  }
-
-  /** A half-edge of each cycle of the outer face, that round everything first. */
-  private static int[] starts(Triangulation triangulation) {
-    Dcel dcel = triangulation.dcel();
-    int outer = dcel.faceEdge(Dcel.OUTER);
-    if (triangulation.domain() == Domain.SITES) {
-      return new int[] {outer};
-    }
-    IntStream.Builder starts = IntStream.builder();
-    BitSet seen = new BitSet();
-    for (int h = -1; h < 2 * dcel.edgeBound(); h++) {
-      int start = h < 0 ? outer : h;
-      if (dcel.face(start) == Dcel.OUTER && !seen.get(start)) {
-        starts.add(start);
-        for (int e = start; !seen.get(e); e = dcel.next(e)) {
-          seen.set(e);
-        }
-      }
-    }
-    return starts.build().toArray();
+    rising = isHull ? rising() : null;
   }
 
   private static int length(Dcel dcel, int start) {

@@ -16,6 +16,8 @@ import dct.core.geometry.Region;
 import dct.core.geometry.Rings;
 import dct.core.triangulate.MonotoneTriangulation;
 import dct.core.triangulate.Triangulation;
+import dct.experiment.generate.RegionShape;
+import dct.testing.CancelledAfter;
 import dct.testing.EveryRegionTriangulation;
 import dct.testing.RandomRegions;
 import dct.testing.RandomSets;
@@ -180,5 +182,38 @@ class RegionOptimizerTest {
     assertThat(RegionBounds.of(region, goal).reason())
         .isEqualTo("rings of 4, 4 vertices, 4 ± 4 ≡ 0 mod 3");
     assertThat(best.isProven()).isTrue();
+  }
+
+  /** Whatever the question at which the user cancels: sound, and no worse than the start. */
+  @Test
+  void cancelledAtAnyQuestionGivesASoundResult() {
+    Region region = RegionShape.HOLES.generate(150, 3, 7, Progress.NONE);
+    Triangulation start = MonotoneTriangulation.triangulate(region, Progress.NONE);
+    ParityGoal goal = ParityGoal.allEven(region.size());
+    for (int looks = 0; looks < 2_000; looks += 1 + looks / 4) {
+      Optimum best =
+          RegionOptimizer.optimize(
+              region, start, goal, SearchLimits.DEFAULT, new CancelledAfter(looks));
+      TriangulationAssert.assertThat(best.triangulation()).isTriangulationOf(region);
+      assertThat(goal.unmet(best.triangulation()))
+          .as("cancelled at question %d", looks)
+          .isEqualTo(best.unmet())
+          .isBetween(best.bound().value(), goal.unmet(start));
+    }
+  }
+
+  @Test
+  void theSameSeedGivesTheSameTriangulation() {
+    Region region = RegionShape.ANNULUS.generate(120, 1, 3, Progress.NONE);
+    Triangulation start = MonotoneTriangulation.triangulate(region, Progress.NONE);
+    ParityGoal goal = ParityGoal.allOdd(region.size());
+    int[] first = triangles(region, start, goal);
+    assertThat(triangles(region, start, goal)).isEqualTo(first);
+  }
+
+  private static int[] triangles(Region region, Triangulation start, ParityGoal goal) {
+    return RegionOptimizer.optimize(region, start, goal, SearchLimits.DEFAULT, Progress.NONE)
+        .triangulation()
+        .triangles();
   }
 }
