@@ -52,7 +52,17 @@ public final class Refutation {
 
   /** Whether this shows that no triangulation has exactly these odd vertices. */
   public boolean refutes(BitSet sites) {
-    return parities(sites).equals(odd);
+    for (int k = 0; k < cycles.size(); k++) {
+      BitSet cycle = cycles.get(k);
+      boolean isOdd = false;
+      for (int u = sites.nextSetBit(0); u >= 0; u = sites.nextSetBit(u + 1)) {
+        isOdd ^= cycle.get(u);
+      }
+      if (isOdd != odd.get(k)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The cycles that go round a site; a set is refuted whose sites' sum to {@link #odd}. */

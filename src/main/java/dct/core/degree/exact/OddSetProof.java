@@ -7,6 +7,7 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.exact.OddSetSearch.Outcome;
 import dct.core.triangulate.Triangulation;
+import java.math.BigInteger;
 import java.util.BitSet;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,6 +20,8 @@ import java.util.concurrent.CancellationException;
 public final class OddSetProof {
   /** The steps of an ordinary search, and of a check of what it has proven: some seconds. */
   public static final long STEPS = 40_000_000;
+
+  private static final int READABLE = 15; // digits
 
   private final OddSetSearch sets;
   private final ParityGoal goal;
@@ -99,24 +102,32 @@ public final class OddSetProof {
     return goal.count(Wish.ANY) > 0 ? 1 : 2;
   }
 
-  private static String refuted(ParityGoal goal, int most) {
+  static String refuted(ParityGoal goal, int most) {
     String unmet = goal.isAll(Wish.EVEN) ? "odd" : "unmet";
     if (most == 0) {
       return "no " + unmet + " vertex";
     }
     return String.format(
-        Locale.ROOT, "%,d sets of at most %d %s vertices", sets(goal, most), most, unmet);
+        Locale.ROOT, "%s sets of at most %d %s vertices", number(sets(goal, most)), most, unmet);
   }
 
   /** The number of sets of at most so many sites with a wish that the handshake lemma allows. */
-  private static long sets(ParityGoal goal, int most) {
+  private static BigInteger sets(ParityGoal goal, int most) {
     int n = goal.size() - goal.count(Wish.ANY);
-    long sum = 0;
-    long choose = 1;
+    BigInteger sum = BigInteger.ZERO;
+    BigInteger choose = BigInteger.ONE;
     for (int k = 0; k <= most; k++) {
-      sum += (most - k) % stride(goal) == 0 ? choose : 0;
-      choose = choose * (n - k) / (k + 1);
+      sum = (most - k) % stride(goal) == 0 ? sum.add(choose) : sum;
+      choose = choose.multiply(BigInteger.valueOf(n - k)).divide(BigInteger.valueOf(k + 1));
     }
     return sum;
+  }
+
+  /** All digits of numbers that can still be read, of others the power of ten. */
+  private static String number(BigInteger sets) {
+    int digits = sets.toString().length();
+    return digits <= READABLE
+        ? String.format(Locale.ROOT, "%,d", sets)
+        : "more than 10^" + (digits - 1);
   }
 }

@@ -131,4 +131,13 @@ class OddSetProofTest {
     Triangulation start = triangulation(new Random(1).doubles(1400).toArray());
     assertThat(OddSetProof.begin(start, ParityGoal.allEven(700), Progress.NONE)).isEmpty();
   }
+
+  /** More sets than a long can count. */
+  @Test
+  void theNumberOfSetsIsThatOfTheirBinomials() {
+    assertThat(OddSetProof.refuted(ParityGoal.allEven(41), 2))
+        .isEqualTo("821 sets of at most 2 odd vertices");
+    assertThat(OddSetProof.refuted(ParityGoal.allEven(400), 12))
+        .isEqualTo("more than 10^22 sets of at most 12 odd vertices");
+  }
 }
