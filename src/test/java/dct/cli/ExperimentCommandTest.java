@@ -8,20 +8,25 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class ExperimentCommandTest {
   @TempDir Path folder;
 
+  private static CliRun experiment(List<Object> first, Object... more) {
+    return CliRun.of(
+        Stream.of(Stream.of("experiment"), first.stream(), Arrays.stream(more))
+            .flatMap(words -> words)
+            .toArray());
+  }
+
   private static CliRun points(Object... more) {
-    Object[] all = new Object[more.length + 6];
-    System.arraycopy(
-        new Object[] {"experiment", "points", "--sizes", "10,30-50:20", "--sets", 3}, 0, all, 0, 6);
-    System.arraycopy(more, 0, all, 6, more.length);
-    return CliRun.of(all);
+    return experiment(List.of("points", "--sizes", "10,30-50:20", "--sets", 3), more);
   }
 
   @Test
@@ -62,11 +67,7 @@ class ExperimentCommandTest {
   }
 
   private static CliRun polygons(Object... more) {
-    Object[] all = new Object[more.length + 6];
-    System.arraycopy(
-        new Object[] {"experiment", "polygons", "--sizes", "12,100", "--sets", 3}, 0, all, 0, 6);
-    System.arraycopy(more, 0, all, 6, more.length);
-    return CliRun.of(all);
+    return experiment(List.of("polygons", "--sizes", "12,100", "--sets", 3), more);
   }
 
   @Test
@@ -79,11 +80,7 @@ class ExperimentCommandTest {
   }
 
   private static CliRun annuli(Object... more) {
-    Object[] all = new Object[more.length + 6];
-    System.arraycopy(
-        new Object[] {"experiment", "annuli", "--sizes", "24,40", "--sets", 4}, 0, all, 0, 6);
-    System.arraycopy(more, 0, all, 6, more.length);
-    return CliRun.of(all);
+    return experiment(List.of("annuli", "--sizes", "24,40", "--sets", 4), more);
   }
 
   @Test

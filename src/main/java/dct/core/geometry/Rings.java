@@ -102,7 +102,8 @@ public final class Rings {
     return Arrays.copyOf(kept, count);
   }
 
-  static long key(int u, int v) {
+  /** A number for the pair of two vertices, whatever their order. */
+  public static long key(int u, int v) {
     return ((long) Math.min(u, v) << 32) | Math.max(u, v);
   }
 
@@ -142,7 +143,7 @@ public final class Rings {
     return vertices;
   }
 
-  /** Whether there are vertices on no ring, fixed edges or more than one ring. */
+  /** Whether it is one ring of all vertices in their order, and nothing else. */
   public boolean isChain() {
     return members == null;
   }

@@ -3,6 +3,7 @@ package dct.core.triangulate;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.OptionalInt;
@@ -119,7 +120,7 @@ public final class Triangulation {
     Set<Long> fixed = new HashSet<>();
     for (int edge = 0; edge < kinds.length; edge++) {
       if (kinds[edge] == EdgeKind.FIXED.code) {
-        fixed.add(pair(from(edge), to(edge)));
+        fixed.add(Rings.key(from(edge), to(edge)));
       }
     }
     return new Triangulation(
@@ -127,13 +128,10 @@ public final class Triangulation {
         points,
         other,
         edge ->
-            !fixed.isEmpty() && fixed.contains(pair(other.origin(2 * edge), other.target(2 * edge)))
+            !fixed.isEmpty()
+                    && fixed.contains(Rings.key(other.origin(2 * edge), other.target(2 * edge)))
                 ? EdgeKind.FIXED
                 : EdgeKind.DIAGONAL);
-  }
-
-  private static long pair(int u, int v) {
-    return ((long) Math.min(u, v) << 32) | Math.max(u, v);
   }
 
   /** One end of an edge: the vertex that half-edge {@code 2 * edge} leaves. */

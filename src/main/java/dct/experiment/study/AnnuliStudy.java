@@ -1,14 +1,9 @@
 package dct.experiment.study;
 
 import dct.core.Progress;
-import dct.core.degree.Optimum;
-import dct.core.degree.SearchLimits;
 import dct.core.geometry.Rings;
 import dct.experiment.generate.RegionShape;
 import dct.problem.Instance;
-import dct.problem.Method;
-import dct.problem.Solution;
-import dct.render.Scene;
 import dct.render.chart.Chart;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -63,10 +58,7 @@ public final class AnnuliStudy implements Study {
 
   @Override
   public List<String> steps() {
-    List<String> steps = new ArrayList<>(List.of("generate"));
-    PolygonsColumns.METHODS.forEach(method -> steps.add(method.column()));
-    steps.add("best");
-    return steps;
+    return OutlineRun.steps();
   }
 
   @Override
@@ -81,15 +73,7 @@ public final class AnnuliStudy implements Study {
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put(HOLES, instance.region().holes());
     counts.put(INDIVISIBLE, indivisible(instance.region().rings()));
-    for (Method method : PolygonsColumns.METHODS) {
-      Solution made = laps.time(method.column(), () -> Solution.of(instance, method, progress));
-      counts.put(PolygonsColumns.before(method), made.counts().even());
-      counts.put(PolygonsColumns.after(method), made.flipped(progress).counts().even());
-    }
-    Optimum best = laps.time("best", () -> best(instance, progress));
-    progress.checkCancelled(); // what a search found until then is no row
-    counts.put(StudyRow.BEST, instance.size() - best.unmet());
-    counts.put(StudyRow.LIMIT, instance.size() - best.bound().value());
+    OutlineRun.count(instance, counts, laps, progress);
     return new StudyRow(trial, counts, laps.millis());
   }
 
@@ -105,13 +89,6 @@ public final class AnnuliStudy implements Study {
       count += rings.size(r) % THREE == 0 ? 0 : 1;
     }
     return count;
-  }
-
-  private static Optimum best(Instance instance, Progress progress) {
-    return Solution.of(instance, Method.MONOTONE, progress)
-        .optimized(SearchLimits.DEFAULT, progress)
-        .optimum()
-        .orElseThrow();
   }
 
   @Override
@@ -131,11 +108,6 @@ public final class AnnuliStudy implements Study {
 
   @Override
   public List<StudyPicture> pictures(Trial trial, Progress progress) {
-    Solution aqt = Solution.of(instance(trial, progress), Method.CONVEX_EVEN, progress);
-    String title = Method.CONVEX_EVEN.algorithm();
-    return List.of(
-        new StudyPicture(title, Scene.of(aqt)),
-        new StudyPicture(title + " and Scan-Flip", Scene.of(aqt.flipped(progress))),
-        new StudyPicture("Best", Scene.of(aqt.optimized(SearchLimits.DEFAULT, progress))));
+    return OutlineRun.pictures(instance(trial, progress), progress);
   }
 }
