@@ -6,6 +6,7 @@ import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.format.Choice;
 import dct.io.format.Columns;
+import dct.io.format.Regions;
 import dct.io.format.Shapes;
 import dct.io.format.Touch;
 import dct.io.text.BadInputException;
@@ -74,8 +75,9 @@ final class InputParameters {
             "--touching",
             "split|hair",
             TOUCHES,
-            "What to make of a ring that meets itself: split it into rings, or move its vertices"
-                + " apart by a hair. By default it is read as it is.");
+            "What to make of a ring that meets itself or, in a region, another: split it into rings or"
+                + " the region into regions, or move vertices apart by a hair. By default it is read"
+                + " as it is.");
   }
 
   /** The name of the input as the user gave it. */
@@ -94,8 +96,9 @@ final class InputParameters {
         name().equals(Verb.STANDARD_STREAM)
             ? PointFile.shapes(name(), console.in(), columns())
             : PointFile.shapes(path(name()), columns(), progress);
-    Shapes apart = touch().split(all, progress);
-    return asked().equals(Optional.of(Domain.REGION)) ? apart.outlines() : apart;
+    return all.areRegion(asked())
+        ? Regions.outlines(all, Regions.all(all, touch(), progress))
+        : touch().split(all, progress);
   }
 
   private Choice choice() {

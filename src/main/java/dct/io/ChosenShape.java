@@ -45,10 +45,10 @@ final class ChosenShape {
    */
   static PointDocument of(
       String source, Shapes shapes, boolean yUp, Choice choice, Progress progress) {
-    Shapes apart = choice.touch().split(shapes, progress);
-    if (ChosenRegion.isMeant(apart, choice)) {
-      return ChosenRegion.of(source, apart, yUp, choice, progress);
+    if (shapes.areRegion(choice.as())) {
+      return ChosenRegion.of(source, shapes, yUp, choice, progress);
     }
+    Shapes apart = choice.touch().split(shapes, progress);
     return new ChosenShape(source, apart, yUp, choice).document(progress);
   }
 

@@ -29,7 +29,6 @@ import java.util.Optional;
  * <p>The points are finite numbers, no more has been checked: {@link #instance} does that.
  */
 public final class PointDocument {
-  private static final String TOUCH_HINT = ", or give --touching split or --touching hair";
   private static final String SITES_HINT = ", or read the file as sites with --as points";
 
   private final String source;
@@ -208,7 +207,7 @@ public final class PointDocument {
           : Instance.of(domain, source, points, progress);
     } catch (InvalidGeometryException e) {
       String sites = declared.isEmpty() && couldBeSites(progress) ? SITES_HINT : "";
-      throw bad(e.defect(), touchHint(e.defect()) + sites);
+      throw bad(e.defect(), TouchHint.of(e.defect(), points, rings, progress) + sites);
     }
   }
 
@@ -284,18 +283,6 @@ public final class PointDocument {
     } catch (InvalidGeometryException e) {
       return false;
     }
-  }
-
-  /** What can be made of a ring that meets itself; nothing is made of two that meet. */
-  private String touchHint(Defect defect) {
-    boolean isOneRing =
-        rings.isEmpty()
-            || (rings.get().isOnRing(defect.first())
-                && rings.get().ringOf(defect.first()) == rings.get().ringOf(defect.second()));
-    return switch (defect.kind()) {
-      case DUPLICATE, TOUCH -> isOneRing ? TOUCH_HINT : "";
-      default -> "";
-    };
   }
 
   private BadInputException bad(Defect defect, String hint) {

@@ -9,7 +9,6 @@ import dct.io.format.Columns;
 import dct.io.format.Format;
 import dct.io.format.Head;
 import dct.io.format.Input;
-import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.format.TextOut;
 import dct.io.format.plain.TextLayout;
@@ -110,7 +109,7 @@ public final class PointFile {
 
   private static Shapes shapes(String name, InputStream in, Optional<Path> file, Columns columns)
       throws IOException {
-    return recognized(name, in, file, columns, PointFile::ownShape, (format, shapes) -> shapes);
+    return recognized(name, in, file, columns, OwnJson::shapes, (format, shapes) -> shapes);
   }
 
   /** Tells the format of a text, reads it, and makes something of what it holds. */
@@ -131,14 +130,6 @@ public final class PointFile {
     return foreign.apply(format.get(), shapes);
   }
 
-  private static Shapes ownShape(Claims said) {
-    Shape.Kind kind =
-        said.domain()
-            .map(domain -> domain == Domain.SITES ? Shape.Kind.SITES : Shape.Kind.RING)
-            .orElse(Shape.Kind.POINTS);
-    return Shapes.of("JSON", new Shape(kind, "", said.points(), said.lines(), Optional.empty()));
-  }
-
   /** The same where the content tells what the points are. */
   public static PointDocument read(String name, InputStream in) throws IOException {
     return read(name, in, Choice.NONE);
@@ -152,7 +143,7 @@ public final class PointFile {
         in,
         file,
         choice.columns(),
-        claims -> PointDocument.of(claims, choice),
+        claims -> OwnJson.document(claims, choice, progress),
         (format, shapes) -> ChosenShape.of(name, shapes, format.yUp(), choice, progress));
   }
 

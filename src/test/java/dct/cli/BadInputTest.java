@@ -86,6 +86,7 @@ class BadInputTest {
             "0 0\n4 0\n4 4\n4 9\n4 4.5\n0 4\n",
             "4: the boundary turns back along itself at vertex v3, (4, 9);"
                 + " move or remove that vertex"
+                + TOUCHING
                 + HINT));
   }
 

@@ -1,6 +1,7 @@
 package dct.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import dct.core.Progress;
@@ -11,7 +12,9 @@ import dct.core.triangulate.Domain;
 import dct.core.triangulate.EdgeKind;
 import dct.io.format.CannotHold;
 import dct.io.format.Choice;
+import dct.io.format.Columns;
 import dct.io.format.Drawing;
+import dct.io.format.Touch;
 import dct.io.text.BadInputException;
 import dct.problem.Comparison;
 import dct.problem.Instance;
@@ -28,6 +31,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -107,6 +111,25 @@ class RegionFileTest {
         .isEqualTo("[1, 2, 3] of 9, fixed [4, 5, 5, 6, 6, 4]");
   }
 
+  /** A hole from vertex 1 to an edge; the segments of both end at the vertex, or at one each. */
+  @Test
+  void trianglesRingsThatShareAVertexAreRefusedAndThoseWithOneEachAreParted() throws IOException {
+    String segments = "7 1/1 1 2 1/2 2 3 1/3 3 1 1/4 %d 4 1/5 4 5 1/6 5 %d 1/7 3 6 0/1/1 3 2/";
+    String nodes = " 2 0 0/1 0 0/2 9 0/3 9 9/4 5 3/5 6 5/6 8 1/";
+    String shared = "6" + nodes + segments.formatted(1, 1);
+    for (Touch touch : Touch.values()) {
+      assertThat(fault(shared, touching(touch, 0)))
+          .isEqualTo(
+              "in:2: 4 segments of rings end at this vertex, where rings touch; list it once for"
+                  + " each ring, and give --touching split or --touching hair");
+    }
+    String apart = "7" + nodes + "7 0 0/" + segments.formatted(7, 7);
+    assertThat(fault(apart, AS_REGION)).contains("give --touching hair, since");
+    PointDocument parted = read(apart, touching(Touch.PARTED, 0));
+    assertThat(words(parted)).isEqualTo("[0, 1, 2] [3, 6, 4] of 7, fixed [2, 5]");
+    assertThat(parted.instance(Progress.NONE).size()).isEqualTo(7);
+  }
+
   @Test
   void theOwnTextTellsThatItIsARegion() throws IOException {
     String text = "# kind: region/0 0/9 0/9 9/sites/7 1/8 2/fixed 3 4/fixed 0,3/";
@@ -177,14 +200,95 @@ class RegionFileTest {
     assertThat(fault).startsWith(sentence);
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "a hole that meets itself| (2 2, 4 3, 6 2, 6 4, 4 3, 2 4)"
+            + "| , or give --touching hair, since the region hangs together there",
+        "holes that meet| (2 2, 4 3, 2 4), (4 3, 6 2, 6 4)"
+            + "| , or give --touching hair, since the region hangs together there",
+        "a hole from side to side| (0 5, 5 4, 9 5, 5 6)"
+            + "| , or give --touching split or --touching hair",
+        "a hole along a side| (0 2, 2 2, 2 4, 0 4)| , or give --touching split or --touching hair",
+        "a hole along a spike| (0 2, 0 9, 9 9, 9 7, 2 7)| , or give --touching split",
+        "a hole on a hole| (2 2, 4 2, 3 4), (2 2, 3 4, 4 2)| ''",
+        "a hole outside| (9 9, 10 9, 10 10)| ''",
+      })
+  void whatCanBeDoneAboutRingsThatTouchIsSaid(String name, String holes, String offer)
+      throws IOException {
+    String text = "POLYGON ((0 0, 9 0, 9 9, 0 9)," + holes + ")";
+    assertThat(fault(text, AS_REGION)).as(name).endsWith(offer);
+    assertThat(offer.isEmpty()).isNotEqualTo(fault(text, AS_REGION).contains("--touching"));
+    for (String word : List.of("split", "hair")) {
+      Touch touch = word.equals("split") ? Touch.SPLIT : Touch.PARTED;
+      boolean isOffered = offer.contains("--touching " + word);
+      Throwable refused =
+          catchThrowable(() -> read(text, touching(touch, 1)).instance(Progress.NONE));
+      assertThat(refused == null).as("%s %s", name, word).isEqualTo(isOffered);
+    }
+  }
+
+  private static Choice touching(Touch touch, int pick) {
+    OptionalInt number = pick == 0 ? OptionalInt.empty() : OptionalInt.of(pick);
+    return new Choice(
+        Optional.of(Domain.REGION), Domain.POLYGON, number, Columns.TOLD_BY_CONTENT, touch);
+  }
+
+  /** A hole from side to side, with a site and a fixed edge below it and a site above it. */
   @Test
-  void onlyARingThatMeetsItselfCanBeMendedByAHair() throws IOException {
-    String itself = "POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 4 3, 6 2, 6 4, 4 3, 2 4, 2 2))";
-    assertThat(fault(itself, AS_REGION))
-        .contains("are both at (4, 3)")
-        .endsWith("or give --touching split or --touching hair");
-    String others = "POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 4 3, 2 4), (4 3, 6 2, 6 4))";
-    assertThat(fault(others, AS_REGION)).endsWith("both at (4, 3); remove one of them");
+  void aRegionFallsApartIntoRegionsToChooseFrom() throws IOException {
+    String text = "0 0/9 0/9 9/0 9/hole/0 5/5 4/9 5/5 6/sites/2 1/2 8/fixed 8 5/";
+    String json =
+        "{\"kind\":\"region\",\"points\":[[0,0],[9,0],[9,9],[0,9],[0,5],[5,4],[9,5],[5,6],[2,1],"
+            + "[2,8]],\"rings\":[[0,1,2,3],[4,5,6,7]],\"fixed\":[[8,5]]}";
+    for (String file : List.of(text, json)) {
+      assertThat(fault(file, touching(Touch.SPLIT, 0)))
+          .contains(" with 2 shapes; choose one by --pick N");
+      PointDocument below = read(file, touching(Touch.SPLIT, 1));
+      assertThat(words(below)).isEqualTo("[0, 1, 4, 3, 2] of 6, fixed [5, 3]");
+      assertThat(below.notes()).containsExactly("Rings touch, and the region is split into 2");
+      PointDocument above = read(file, touching(Touch.SPLIT, 2));
+      assertThat(above.instance(Progress.NONE).size()).isEqualTo(6);
+      PointDocument parted = read(file, touching(Touch.PARTED, 0));
+      assertThat(words(parted)).isEqualTo("[0, 1, 2, 3] [4, 5, 6, 7] of 10, fixed [8, 5]");
+      assertThat(parted.instance(Progress.NONE)).isInstanceOf(Instance.OfRegion.class);
+      assertThat(parted.notes()).containsExactly("Vertices where rings meet are moved a hair");
+    }
+    assertThat(read(text, touching(Touch.SPLIT, 2)).line(2)).isEqualTo(6);
+  }
+
+  @Test
+  void whatTouchesNothingStaysWhatItIs() throws IOException {
+    String text = "# kind: region/0 0/9 0/9 9/hole/4 1/5 1/5 2/sites/7 1/fixed 4 6/";
+    PointDocument plain = read(text, AS_REGION);
+    for (Touch touch : List.of(Touch.SPLIT, Touch.PARTED)) {
+      PointDocument same = read(text, touching(touch, 0));
+      assertThat(same.rings()).isEqualTo(plain.rings());
+      assertThat(same.notes()).isEmpty();
+      assertThat(same.isOwn()).isTrue();
+    }
+  }
+
+  @Test
+  void polygonsOfJsonAreTakenApartAndParted() throws IOException {
+    String json = "{\"points\":[[0,0],[8,0],[8,8],[4,0],[0,8]]}";
+    Choice polygon =
+        new Choice(
+            Optional.empty(),
+            Domain.POLYGON,
+            OptionalInt.of(2),
+            Columns.TOLD_BY_CONTENT,
+            Touch.SPLIT);
+    assertThat(read(json, polygon).points()).isEqualTo(Points.ofPairs(0, 0, 4, 0, 0, 8));
+    Choice hair =
+        new Choice(
+            Optional.empty(),
+            Domain.POLYGON,
+            OptionalInt.empty(),
+            Columns.TOLD_BY_CONTENT,
+            Touch.PARTED);
+    assertThat(read(json, hair).instance(Progress.NONE).size()).isEqualTo(5);
   }
 
   // ---- writing

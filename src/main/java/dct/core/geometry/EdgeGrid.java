@@ -41,20 +41,30 @@ final class EdgeGrid {
     counts = new int[cells * cells];
   }
 
-  /** How many cells along each side suit a boundary: fewer if its edges are long. */
+  /** How many cells along each side suit a closed chain through the points. */
   static int cellsFor(Points points) {
+    return cellsFor(Rings.ofChain(points));
+  }
+
+  /** How many cells along each side suit these rings and edges: fewer if the edges are long. */
+  static int cellsFor(Rings rings) {
+    Points points = rings.points();
     EdgeGrid box = new EdgeGrid(points, 1);
     int n = points.size();
     double crossed = 1; // cells by all edges, for each cell along a side
-    for (int v = 0; v < n; v++) {
-      int w = v + 1 == n ? 0 : v + 1;
-      double sides =
-          Math.abs(points.x(w) / 2 - points.x(v) / 2) / box.width
-              + Math.abs(points.y(w) / 2 - points.y(v) / 2) / box.height;
-      crossed += sides;
+    for (int e = 0; e < n + rings.fixedCount(); e++) {
+      if (e >= n || rings.isOnRing(e)) {
+        crossed += box.sides(rings.from(e), rings.to(e));
+      }
     }
     double cells = Math.min(Math.sqrt(n), MOST_ENTRIES / (3 * crossed));
     return (int) Math.max(1, Math.min(MOST_CELLS, cells));
+  }
+
+  /** How wide and high an edge is, as parts of a cell. */
+  private double sides(int u, int v) {
+    return Math.abs(points.x(v) / 2 - points.x(u) / 2) / width
+        + Math.abs(points.y(v) / 2 - points.y(u) / 2) / height;
   }
 
   /** Does something in every cell that an edge passes, a row after the other, until it says yes. */

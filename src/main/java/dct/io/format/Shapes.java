@@ -1,5 +1,6 @@
 package dct.io.format;
 
+import dct.core.triangulate.Domain;
 import java.util.List;
 import java.util.Optional;
 
@@ -30,13 +31,27 @@ public record Shapes(
    * What a file holds, as one region.
    *
    * @param notes what was left out then
+   * @param fault why it has no rings, if more is known than that
    */
-  public record Whole(RegionShape shape, List<String> notes) {
+  public record Whole(RegionShape shape, List<String> notes, Optional<Fault> fault) {
     /** Copies the list. */
     public Whole {
       notes = List.copyOf(notes);
     }
+
+    /** One of which no more is known. */
+    public Whole(RegionShape shape, List<String> notes) {
+      this(shape, notes, Optional.empty());
+    }
   }
+
+  /**
+   * What is wrong in a file that can be read in another way.
+   *
+   * @param line the line, from 1 on
+   * @param what what is wrong and, after a semicolon, what would mend it
+   */
+  public record Fault(int line, String what) {}
 
   /** Shapes of which the file does not say that they are a region. */
   public Shapes(String format, List<Shape> shapes, List<String> notes) {
@@ -52,9 +67,9 @@ public record Shapes(
     return region.map(whole -> List.of(whole.shape())).orElseGet(() -> RegionShape.all(shapes));
   }
 
-  /** The outlines of the regions that the shapes make, for a list. */
-  public Shapes outlines() {
-    return new Shapes(format, regions().stream().map(RegionShape::outline).toList(), notes);
+  /** Whether a region is asked for, or else the file says that it holds one. */
+  public boolean areRegion(Optional<Domain> as) {
+    return as.map(Domain.REGION::equals).orElse(isRegion);
   }
 
   /** A file with one shape, of which nothing was left out. */

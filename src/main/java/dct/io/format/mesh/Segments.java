@@ -3,8 +3,10 @@ package dct.io.format.mesh;
 import dct.core.geometry.Points;
 import dct.io.format.RegionShape;
 import dct.io.format.Rim;
+import dct.io.format.Shapes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -17,6 +19,10 @@ import java.util.stream.IntStream;
  * but for the search for the rings round holes.
  */
 final class Segments {
+  private static final String BRANCH =
+      "%d segments of rings end at this vertex, where rings touch; list it once for each ring, and"
+          + " give --touching split or --touching hair";
+
   private final int vertices;
   private final List<Segment> all = new ArrayList<>();
 
@@ -65,6 +71,25 @@ final class Segments {
       }
     }
     return kept;
+  }
+
+  /**
+   * What keeps the segments from being rings: a vertex at which more than two of them end that are
+   * marked, or no matter which if too few are.
+   */
+  Optional<Shapes.Fault> fault(int... lines) {
+    List<Segment> marked = all.stream().filter(Segment::isMarked).toList();
+    return branch(marked, lines).or(() -> branch(all, lines));
+  }
+
+  private Optional<Shapes.Fault> branch(List<Segment> segments, int... lines) {
+    List<Segment> different = segments.stream().filter(s -> s.from != s.to).toList();
+    int[] degree = new int[vertices];
+    withoutEnds(different, degree);
+    return IntStream.range(0, vertices)
+        .filter(v -> degree[v] > 2)
+        .mapToObj(v -> new Shapes.Fault(lines[v], BRANCH.formatted(degree[v])))
+        .findFirst();
   }
 
   /** The cycles of segments, without those that lead nowhere; none if they branch. */

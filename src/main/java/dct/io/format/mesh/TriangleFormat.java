@@ -80,11 +80,13 @@ public final class TriangleFormat implements Format {
       notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
     }
     RegionShape region = all.region(points.points(), points.lines(), holes.points());
+    Optional<Shapes.Fault> fault =
+        region.rings().isEmpty() ? all.fault(points.lines()) : Optional.empty();
     return new Shapes(
         title(),
         rings.isEmpty() ? List.of(sites) : rings,
         notes,
-        Optional.of(new Shapes.Whole(region, read)),
+        Optional.of(new Shapes.Whole(region, read, fault)),
         false);
   }
 }
