@@ -19,7 +19,7 @@ public enum Touch {
   /** Their vertices are moved a hair, so that nothing touches. */
   PARTED;
 
-  private static final String MOVED = "Vertices where %s are moved a hair";
+  private static final String MOVED = " are moved a hair";
 
   /**
    * The shapes, with the rings of a ring that is split in its place.
@@ -79,7 +79,7 @@ public enum Touch {
     }
     Optional<Points> parted =
         Touching.parted(ring.points(), progress).filter(points -> !points.equals(ring.points()));
-    parted.ifPresent(points -> notes.add(MOVED.formatted("the ring meets itself")));
+    parted.ifPresent(points -> notes.add("Vertices where the ring meets itself" + MOVED));
     return parted
         .map(points -> new Shape(ring.kind(), ring.label(), points, ring.lines(), Optional.empty()))
         .orElse(ring);
@@ -134,7 +134,7 @@ public enum Touch {
     if (parted.filter(rings -> !rings.points().equals(region.points())).isEmpty()) {
       return region;
     }
-    notes.add(MOVED.formatted("rings meet"));
+    notes.add("Vertices where rings meet" + MOVED);
     Rings rings = parted.get();
     return new RegionShape(
         region.label(), rings.points(), region.lines(), region.rings(), rings.fixed());

@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
  */
 final class Segments {
   private static final String BRANCH =
-      "%d segments of rings end at this vertex, where rings touch; list it once for each ring, and"
+      " segments of rings end at this vertex, where rings touch; list it once for each ring, and"
           + " give --touching split or --touching hair";
 
   private final int vertices;
@@ -88,7 +88,7 @@ final class Segments {
     withoutEnds(different, degree);
     return IntStream.range(0, vertices)
         .filter(v -> degree[v] > 2)
-        .mapToObj(v -> new Shapes.Fault(lines[v], BRANCH.formatted(degree[v])))
+        .mapToObj(v -> new Shapes.Fault(lines[v], degree[v] + BRANCH))
         .findFirst();
   }
 
