@@ -2,6 +2,7 @@ package dct.render;
 
 import dct.core.Decimals;
 import java.util.Locale;
+import java.util.function.IntFunction;
 
 /**
  * Writes a drawing for the drawing editor Ipe (version 7.2): a layer for each part of it, vertices
@@ -174,11 +175,19 @@ final class IpePen implements Pen {
     boolean isOwn = !matrix.isEmpty() && stroke.ink() == Ink.INSIDE;
     out.append("<path").append(layer()).append(" fill=\"").append(name(stroke.ink()));
     out.append(isOwn ? "\" matrix=\"" + matrix : "").append("\" fillrule=\"eofill\">\n");
-    int corners = isOwn ? scene.size() : x.length;
-    for (int i = 0; i < corners; i++) {
-      out.append(isOwn ? exact(i) : point(x[i], y[i])).append(i == 0 ? " m\n" : " l\n");
+    if (isOwn) {
+      scene.rings().forEach(ring -> subpath(ring.length, k -> exact(ring[k])));
+    } else {
+      subpath(x.length, k -> point(x[k], y[k]));
     }
-    out.append("h\n</path>\n");
+    out.append("</path>\n");
+  }
+
+  private void subpath(int corners, IntFunction<String> place) {
+    for (int k = 0; k < corners; k++) {
+      out.append(place.apply(k)).append(k == 0 ? " m\n" : " l\n");
+    }
+    out.append("h\n");
   }
 
   @Override

@@ -3,6 +3,9 @@ package dct.render;
 import dct.core.dcel.Dcel;
 import dct.core.geometry.Points;
 import dct.core.geometry.Rings;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 
 /**
@@ -44,6 +47,20 @@ final class RingWalk {
       walk.add(rings.vertex(0, 0));
     }
     return walk.build().toArray();
+  }
+
+  /** The rings of a walk, without the ways between them. */
+  static List<int[]> rings(int... walk) {
+    List<int[]> rings = new ArrayList<>();
+    for (int first = 0; first < walk.length; ) {
+      int end = first + 1;
+      while (walk[end] != walk[first]) {
+        end++;
+      }
+      rings.add(Arrays.copyOfRange(walk, first, end));
+      first = end + 2;
+    }
+    return rings;
   }
 
   /** The sign of the area, computed from the first vertex so that it is not lost in rounding. */

@@ -383,6 +383,14 @@ public final class Scene {
             Arrays.stream(walk).mapToDouble(points::y).toArray());
   }
 
+  /** The vertices of each ring round the inside, in order; none if it has no inside. */
+  List<int[]> rings() {
+    if (walk != null) {
+      return RingWalk.rings(walk);
+    }
+    return polygon ? List.of(IntStream.range(0, size()).toArray()) : List.of();
+  }
+
   /** The box round all vertices, or nothing if there are none. */
   public Optional<Box> bounds() {
     return bounds;

@@ -1,6 +1,7 @@
 package dct.render;
 
 import dct.core.Decimals;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -12,11 +13,17 @@ public final class SvgPen implements Pen {
 
   private final StringBuilder out = new StringBuilder();
   private final Theme theme;
+  private final List<int[]> rings; // of a region that is there as a whole
+  private final Sheet sheet;
+  private Part part = Part.POLYGON;
   private boolean inGroup;
+  private boolean isInside; // whether the inside of a polygon or region is drawn
 
   /** A drawing for a sheet, on a ground of its theme's colour. */
   SvgPen(Sheet sheet, Title title) {
     this.theme = sheet.theme();
+    this.sheet = sheet;
+    rings = sheet.isWhole() ? sheet.scene().rings() : List.of();
     double unit = sheet.isPaper() ? sheet.points() * MM : 1;
     String length = sheet.isPaper() ? "mm" : "px";
     out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
@@ -49,10 +56,17 @@ public final class SvgPen implements Pen {
   }
 
   @Override
+  public void part(Part following) {
+    part = following;
+  }
+
+  @Override
   public void style(Stroke stroke) {
     closeGroup();
     inGroup = true;
+    isInside = stroke.ink() == Ink.INSIDE;
     out.append("<g class=\"").append(word(stroke.ink())).append('"');
+    out.append(part == Part.COUNTS ? " data-part=\"counts\"" : "");
     attribute("stroke-width", stroke.width());
     out.append(stroke.dashed() ? " stroke-dasharray=\"5 5\">\n" : ">\n");
   }
@@ -105,12 +119,32 @@ public final class SvgPen implements Pen {
 
   @Override
   public void polygon(double[] x, double[] y) {
+    if (isInside && rings.size() > 1) {
+      path();
+      return;
+    }
     out.append("<polygon points=\"");
     for (int i = 0; i < x.length; i++) {
       out.append(i == 0 ? "" : " ");
       number(x[i]);
       out.append(',');
       number(y[i]);
+    }
+    out.append("\" fill-rule=\"evenodd\" stroke=\"none\"/>\n");
+  }
+
+  /** The rings of a region; as a walk along all of them they would not be read back. */
+  private void path() {
+    out.append("<path d=\"");
+    for (int[] ring : rings) {
+      out.append(ring == rings.get(0) ? "M" : " M");
+      for (int k = 0; k < ring.length; k++) {
+        out.append(k == 0 ? "" : " ");
+        number(sheet.view().screenX(sheet.scene().x(ring[k])));
+        out.append(',');
+        number(sheet.view().screenY(sheet.scene().y(ring[k])));
+      }
+      out.append('Z');
     }
     out.append("\" fill-rule=\"evenodd\" stroke=\"none\"/>\n");
   }

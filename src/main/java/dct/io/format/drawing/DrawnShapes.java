@@ -1,6 +1,7 @@
 package dct.io.format.drawing;
 
 import dct.io.format.PointColumns;
+import dct.io.format.RegionShape;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.text.BadInputException;
@@ -22,6 +23,8 @@ final class DrawnShapes {
   private final Map<String, Drawn> marks = new LinkedHashMap<>();
   private final Map<LeftOut, Integer> leftOut = new EnumMap<>(LeftOut.class);
   private final SmallMarks small = new SmallMarks();
+  private final FigureRegion figure = new FigureRegion();
+  private int figureShapes; // how many of the shapes are its rings
   private Optional<Drawn> background = Optional.empty();
 
   private record Drawn(Shape.Kind kind, Supplier<String> label, PointColumns columns) {
@@ -83,6 +86,24 @@ final class DrawnShapes {
     leaveOut(LeftOut.CIRCLE);
   }
 
+  /** The figure of this program that the drawing is or holds, as far as it has been read. */
+  FigureRegion figure() {
+    return figure;
+  }
+
+  /** The number of rings, paths and sets of marks so far. */
+  int count() {
+    return shapes.size();
+  }
+
+  /** Says that all but so many shapes are the rings of a figure of this program. */
+  void areOfFigure(int others) {
+    for (Drawn ring : shapes.subList(others, shapes.size())) {
+      figure.addRing(ring.columns);
+      figureShapes++;
+    }
+  }
+
   /** Whether nothing has been drawn so far. */
   boolean isEmpty() {
     return shapes.isEmpty() && leftOut.isEmpty() && background.isEmpty();
@@ -105,6 +126,12 @@ final class DrawnShapes {
     }
     List<String> notes = new ArrayList<>();
     leftOut.forEach((what, count) -> notes.add(what.note(count)));
+    if (!figure.isEmpty() && figureShapes == shapes.size()) {
+      Optional<RegionShape> region = figure.region(notes);
+      if (region.isPresent()) {
+        return FigureRegion.shapes(title, notes, region.get());
+      }
+    }
     return new Shapes(title, shapes.stream().map(Drawn::shape).toList(), notes);
   }
 

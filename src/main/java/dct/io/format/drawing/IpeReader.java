@@ -1,21 +1,27 @@
 package dct.io.format.drawing;
 
+import dct.core.Decimals;
 import dct.io.format.Input;
 import dct.io.format.Shapes;
 import java.io.IOException;
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Goes through the elements of a file or selection of Ipe and collects paths and marks. */
 final class IpeReader {
+  private static final Pattern LINE =
+      Pattern.compile("\\s*(\\S+)\\s+(\\S+)\\s+m\\s+(\\S+)\\s+(\\S+)\\s+l\\s*");
+
   private final XmlText xml;
   private final DrawnShapes shapes;
   private final Deque<Affine> open = new ArrayDeque<>(); // page and groups, of which each maps
   private int pages;
   private String layer = "";
   private Optional<OwnFigure> figure = Optional.empty(); // if this program wrote the file
-  private boolean isPolygon; // whether an outline of a figure has been read
 
   IpeReader(Input input, String title) throws IOException {
     xml = new XmlText(input);
@@ -50,6 +56,7 @@ final class IpeReader {
     } else {
       if (xml.element().equals("info")) {
         figure = OwnFigure.of(xml);
+        figure.ifPresent(own -> shapes.figure().mapBy(own.toPage()));
       }
       xml.skip(); // styles and what else belongs to no page
     }
@@ -85,7 +92,7 @@ final class IpeReader {
     return figure.isPresent()
         && !xml.element().equals("group")
         && !xml.element().equals("layer")
-        && !figure.get().isInput(xml, layer, isPolygon);
+        && !figure.get().isInput(xml, layer);
   }
 
   private void leaveOut(LeftOut what) throws IOException {
@@ -114,11 +121,35 @@ final class IpeReader {
   }
 
   private void path() throws IOException {
+    if (figure.isPresent() && OwnFigure.isFixedEdge(xml, layer)) {
+      fixedEdge();
+      return;
+    }
     String label = label();
     Affine matrix = toPoints();
-    isPolygon |= figure.isPresent() && OwnFigure.isOutline(layer);
     int start = xml.lineBehind();
+    int others = shapes.count();
     new IpePath(xml, shapes, matrix, () -> label).add(xml.text(), start);
+    if (figure.isPresent() && OwnFigure.isOutline(layer)) {
+      shapes.areOfFigure(others);
+    }
+  }
+
+  /** A line from one place of the page to another. */
+  private void fixedEdge() throws IOException {
+    Affine matrix = matrix();
+    Matcher line = LINE.matcher(xml.text());
+    if (line.matches()) {
+      double[] ends = new double[4];
+      Arrays.setAll(ends, k -> Decimals.parse(line.group(k + 1)));
+      shapes
+          .figure()
+          .addFixed(
+              matrix.x(ends[0], ends[1]),
+              matrix.y(ends[0], ends[1]),
+              matrix.x(ends[2], ends[3]),
+              matrix.y(ends[2], ends[3]));
+    }
   }
 
   private void use() throws IOException {
@@ -134,7 +165,11 @@ final class IpeReader {
     double x = matrix.x(px, py);
     double y = matrix.y(px, py);
     xml.checkFinite(x, y, xml.line());
-    shapes.addMark(label(), x, y, xml.line());
+    if (figure.isPresent() && OwnFigure.isMarks(layer) && !shapes.figure().isEmpty()) {
+      shapes.figure().addMark(x, y, xml.line());
+    } else {
+      shapes.addMark(label(), x, y, xml.line());
+    }
     xml.skip();
   }
 

@@ -16,6 +16,12 @@ final class SvgReader {
   private static final Set<String> GROUPS = Set.of("g", "a", "switch");
   private static final Set<String> SHAPES =
       Set.of("polygon", "polyline", "rect", "path", "circle", "ellipse");
+  private static final String INSIDE = "inside"; // the class of the rings of a figure of ours
+  private static final String FIXED = "fixed";
+  private static final Set<String> MARKS = Set.of("even", "odd", "vertex");
+  private static final Set<String> EDGES =
+      Set.of("boundary", "diagonal", "partition", "flipped", FIXED);
+  private static final String BESIDE = "counts"; // the part with them and the legend
   private static final Set<String> DEFINITIONS =
       Set.of("defs", "symbol", "clipPath", "mask", "pattern", "marker");
   private static final Map<String, LeftOut> OTHERS =
@@ -35,7 +41,7 @@ final class SvgReader {
   private SvgShape shape;
 
   /** An element that is open, and how it maps what is in it. */
-  private record Frame(Affine matrix, SvgLabel label) {}
+  private record Frame(Affine matrix, SvgLabel label, String part) {}
 
   SvgReader(Input input, String title) throws IOException {
     xml = new XmlText(input);
@@ -62,7 +68,7 @@ final class SvgReader {
     String name = xml.element();
     if (open.isEmpty()) {
       shape = new SvgShape(xml, shapes, SvgPage.of(xml));
-      open.push(new Frame(Transform.ofSvg(xml, xml.attribute("transform")), null));
+      open.push(new Frame(Transform.ofSvg(xml, xml.attribute("transform")), null, ""));
     } else if (!xml.namespace().isEmpty() && !xml.namespace().equals(SVG)) {
       xml.skip();
     } else if (isHidden()) {
@@ -71,17 +77,45 @@ final class SvgReader {
     } else if (xml.attribute("class").equals("background")) {
       shapes.leaveOut(LeftOut.BACKGROUND);
       xml.skip();
+    } else if (!shapes.figure().isEmpty() && xml.attribute("data-part").equals(BESIDE)) {
+      xml.skip();
     } else if (name.equals("title")) {
       title(xml.text());
     } else if (GROUPS.contains(name)) {
       open.push(inside(open.peek()));
     } else if (SHAPES.contains(name)) {
       Frame frame = inside(open.peek());
-      shape.add(frame.matrix, frame.label, group(open.peek()));
+      shape(frame, open.peek());
       open.push(frame);
+    } else if (name.equals("line") && isOfFigure(open.peek(), EDGES)) {
+      edge(open.peek());
     } else {
       leaveOut(name);
     }
+  }
+
+  private void shape(Frame frame, Frame outer) {
+    if (isOfFigure(outer, MARKS)) {
+      shape.addMark(frame.matrix);
+      return;
+    }
+    int others = shapes.count();
+    shape.add(frame.matrix, frame.label, group(outer));
+    if (outer.part.equals(INSIDE)) {
+      shapes.areOfFigure(others);
+    }
+  }
+
+  /** Whether what is in this group is drawn from the points of a figure whose rings are read. */
+  private boolean isOfFigure(Frame group, Set<String> parts) {
+    return !shapes.figure().isEmpty() && parts.contains(group.part);
+  }
+
+  private void edge(Frame outer) throws IOException {
+    if (outer.part.equals(FIXED)) {
+      shape.addFixed(inside(outer).matrix);
+    }
+    xml.skip();
   }
 
   private void title(String text) {
@@ -96,7 +130,7 @@ final class SvgReader {
       throw xml.fault("a style turns or moves the element; write an attribute transform instead");
     }
     Affine own = Transform.ofSvg(xml, xml.attribute("transform"));
-    return new Frame(outer.matrix.of(own), new SvgLabel(xml, group(outer)));
+    return new Frame(outer.matrix.of(own), new SvgLabel(xml, group(outer)), xml.attribute("class"));
   }
 
   private static Supplier<String> group(Frame frame) {

@@ -34,6 +34,34 @@ final class SvgShape {
     }
   }
 
+  /** Adds the circle or rectangle that has just been opened as the mark of a vertex. */
+  void addMark(Affine matrix) {
+    boolean isRectangle = xml.element().equals("rect");
+    double half = isRectangle ? 0.5 : 0;
+    double px = length(isRectangle ? "x" : "cx") + half * length("width");
+    double py = length(isRectangle ? "y" : "cy") + half * length("height");
+    double x = matrix.x(px, py);
+    double y = matrix.y(px, py);
+    if (Double.isFinite(x) && Double.isFinite(y)) {
+      shapes.figure().addMark(x, y, xml.line());
+    }
+  }
+
+  /** Adds the line that has just been opened as a fixed edge. */
+  void addFixed(Affine matrix) {
+    double x1 = length("x1");
+    double y1 = length("y1");
+    double x2 = length("x2");
+    double y2 = length("y2");
+    shapes
+        .figure()
+        .addFixed(matrix.x(x1, y1), matrix.y(x1, y1), matrix.x(x2, y2), matrix.y(x2, y2));
+  }
+
+  private double length(String attribute) {
+    return NumberText.length(xml.attribute(attribute));
+  }
+
   private void polygon(Affine matrix, Supplier<String> label, boolean isClosed) {
     NumberText numbers = new NumberText(xml.attribute("points"));
     Outline outline = new Outline(xml, matrix);
