@@ -57,6 +57,7 @@ final class JsonText {
   private final JsonSource source;
   private final JsonReader json;
   private final Map<String, Object> values = new HashMap<>();
+  private final Map<String, int[]> lines = new HashMap<>(); // of the rings, and of pairs
   private PointColumns points;
   private ClaimedEdges edges;
   private ClaimedFlips flips;
@@ -109,7 +110,8 @@ final class JsonText {
       throw fault("there is no field \"points\"; " + FORM);
     }
     return new Claims(
-        name, Map.copyOf(values), points.points(), points.lines(), edges, flips, windows);
+            name, Map.copyOf(values), points.points(), points.lines(), edges, flips, windows)
+        .at(lines);
   }
 
   private void field(String field) throws IOException {
@@ -221,27 +223,33 @@ final class JsonText {
   private int[] pairs(String field) throws IOException {
     String wrong = PAIR_WRONG.replace("it ", "\"" + field + "\" ");
     IntStream.Builder ends = IntStream.builder();
+    IntStream.Builder at = IntStream.builder();
     require(JsonToken.BEGIN_ARRAY, wrong);
     json.beginArray();
     while (json.hasNext()) {
       require(JsonToken.BEGIN_ARRAY, wrong);
       json.beginArray();
+      at.add(source.line());
       ends.add(vertex(wrong)).add(vertex(wrong));
       require(JsonToken.END_ARRAY, wrong);
       json.endArray();
     }
     json.endArray();
+    lines.put(field, at.build().toArray());
     return ends.build().toArray();
   }
 
   private List<int[]> rings() throws IOException {
     List<int[]> rings = new ArrayList<>();
+    IntStream.Builder at = IntStream.builder();
     require(JsonToken.BEGIN_ARRAY, RINGS_WRONG);
     json.beginArray();
     while (json.hasNext()) {
       rings.add(numbers(RINGS_WRONG));
+      at.add(source.line());
     }
     json.endArray();
+    lines.put("rings", at.build().toArray());
     return rings;
   }
 
@@ -300,9 +308,10 @@ final class JsonText {
 
   private int vertex(String wrong) throws IOException {
     require(JsonToken.NUMBER, wrong);
+    String here = wrong.replace("%s", source.place());
     double value = number();
     if (value != (int) value) {
-      throw fault(wrong);
+      throw fault(here);
     }
     return (int) value;
   }

@@ -98,4 +98,21 @@ class RegionCommandsTest {
   private static int at(BufferedImage picture, double x, double y) {
     return picture.getRGB((int) (x * picture.getWidth()), (int) (y * picture.getHeight()));
   }
+
+  /** A hole from side to side leaves two regions, which are listed as they are picked. */
+  @Test
+  void partsOfARegionAreListedAndPicked() {
+    String text = "0 0\n9 0\n9 9\n0 9\nhole\n0 5\n5 4\n9 5\n5 6\nsites\n2 1\n";
+    assertThat(CliRun.withInput(text, "convert", "-", "--list", "--touching", "split").done().out())
+        .isEqualTo("1: ring of 5 vertices\n2: ring of 5 vertices\n");
+    CliRun both = CliRun.withInput(text, "check", "-", "--touching", "split");
+    assertThat(both.status()).isEqualTo(3);
+    assertThat(both.err()).contains("choose one by --pick N");
+    CliRun first = CliRun.withInput(text, "check", "-", "--touching", "split", "--pick", "1");
+    assertThat(first.out())
+        .isEqualTo("-: a region with 6 vertices, 0 holes, 1 site and 0 fixed edges\n");
+    assertThat(first.err()).isEqualTo("-: Rings touch, and the region is split into 2\n");
+    CliRun hair = CliRun.withInput(text, "triangulate", "-", "--touching", "hair", "--flip");
+    assertThat(hair.status()).isZero();
+  }
 }

@@ -191,7 +191,7 @@ class RegionFileTest {
         "0 0/9 0/9 9/sites/4 1/4 1 | in:6: vertices v3 and v4 are both at (4, 1); remove one",
         "0 0/9 0/9 9/fixed 0 3 | in:4: there is no vertex v3; number them from 0 to 2",
         "0 0/9 0/9 9/fixed 2 2 | in:4: the edge joins v2 with itself; name two vertices",
-        "0 0/9 0/9 9/0 9/4 1/fixed 0 | in:6: \"fixed\" is not a number",
+        "0 0/9 0/9 9/0 9/4 1/fixed 0 | in:6: \"fixed\" stands without the numbers of two vertices",
         "# kind: region/sites/4 1 | in: it holds no rings that are apart, as a region has them",
       })
   void faultsAreNamedWithTheirPlace(String text, String sentence) {

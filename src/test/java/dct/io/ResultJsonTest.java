@@ -227,7 +227,7 @@ class ResultJsonTest {
         "{\"points\": [],~\"edgeList\": [[0, 1, \"red\"]]} | 2: an edge is not of the known form,"
             + " at edgeList[0][3]; EDGE",
         "{\"points\": [],~\"edgeList\": [[0, 1.5, \"boundary\"]]} | 2: an edge is not of the known"
-            + " form, at edgeList[0][2]; EDGE",
+            + " form, at edgeList[0][1]; EDGE",
         "[[0, 0]] | 1: this is not a JSON object; write \"points\": [[x, y], …] inside { }",
       })
   void names_what_is_wrong(String text, String message) {

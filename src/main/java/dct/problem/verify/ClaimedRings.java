@@ -46,14 +46,38 @@ public final class ClaimedRings {
             || (!rings.get().isEmpty() && rings.get().stream().allMatch(ring -> ring.length > 0)),
         "the field \"" + RINGS + "\" has no ring, or one without vertices");
     int[] ends = fixed.orElseGet(() -> new int[0]);
+    checkRings(claims, rings.orElse(List.of()));
+    checkFixed(claims, ends);
     if (rings.isEmpty() && ends.length == 0) {
       return Rings.ofChain(points);
     }
-    try {
-      return Rings.of(points, rings.orElseGet(() -> List.of(all(points.size()))), ends);
-    } catch (IllegalArgumentException e) {
-      throw new FalseClaim(e.getMessage());
+    return Rings.of(points, rings.orElseGet(() -> List.of(all(points.size()))), ends);
+  }
+
+  private static void checkRings(Claims claims, List<int[]> rings) {
+    boolean[] isSeen = new boolean[claims.points().size()];
+    for (int r = 0; r < rings.size(); r++) {
+      int line = claims.line(RINGS, r);
+      for (int v : rings.get(r)) {
+        checkVertex(claims, v, line);
+        FalseClaim.unless(!isSeen[v], line, "vertex " + v + " is on two rings, or twice on one");
+        isSeen[v] = true;
+      }
     }
+  }
+
+  private static void checkFixed(Claims claims, int... ends) {
+    for (int k = 0; k < ends.length; k++) {
+      int line = claims.line(FIXED, k / 2);
+      checkVertex(claims, ends[k], line);
+      boolean isEdge = k % 2 == 0 || ends[k] != ends[k - 1];
+      FalseClaim.unless(isEdge, line, "a fixed edge joins vertex " + ends[k] + " with itself");
+    }
+  }
+
+  private static void checkVertex(Claims claims, int v, int line) {
+    boolean isThere = 0 <= v && v < claims.points().size();
+    FalseClaim.unless(isThere, line, "there is no vertex " + v);
   }
 
   private static int[] all(int n) {

@@ -27,6 +27,7 @@ public final class Claims {
   private final ClaimedEdges edges; // null if the file has none
   private final ClaimedFlips flips; // null if the file has none
   private final List<ClaimedWindow> windows;
+  private final Map<String, int[]> lines; // by field with lists: the line of each, where known
 
   /**
    * What stands in a file.
@@ -54,6 +55,28 @@ public final class Claims {
     this.edges = edges;
     this.flips = flips;
     this.windows = List.copyOf(windows);
+    this.lines = Map.of();
+  }
+
+  private Claims(Claims said, Map<String, int[]> lines) {
+    source = said.source;
+    values = said.values;
+    points = said.points;
+    pointLines = said.pointLines;
+    edges = said.edges;
+    flips = said.flips;
+    windows = said.windows;
+    this.lines = Map.copyOf(lines);
+  }
+
+  /** The same where it is known on which lines the lists in these fields stand. */
+  public Claims at(Map<String, int[]> linesOfLists) {
+    return new Claims(this, linesOfLists);
+  }
+
+  /** The line of the i-th list in the field of this name, 1 where it is not known. */
+  int line(String name, int i) {
+    return lines.containsKey(name) ? lines.get(name)[i] : 1;
   }
 
   /** The file's name as the user gave it, or "-" for standard input. */

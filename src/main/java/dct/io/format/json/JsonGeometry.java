@@ -6,6 +6,7 @@ import dct.io.format.PointColumns;
 import dct.io.format.Shape;
 import dct.io.format.Shapes;
 import dct.io.text.PlainText;
+import dct.io.text.Shown;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -254,7 +255,11 @@ final class JsonGeometry {
           case "Polygon", "MultiLineString" -> 3;
           case "MultiPolygon" -> 4;
           default ->
-              throw scanner.fault("the type of a geometry is missing; write \"type\": \"Polygon\"");
+              throw scanner.fault(
+                  (type.isEmpty()
+                          ? "the type of a geometry is missing"
+                          : "\"" + Shown.word(type) + "\" is no type of a geometry with points")
+                      + "; write \"type\": \"Polygon\"");
         };
     if (coordinates.depth != depth) {
       throw scanner.fault(

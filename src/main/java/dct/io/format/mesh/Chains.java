@@ -11,6 +11,7 @@ import java.util.List;
 final class Chains {
   private final Rim segments;
   private int onRings;
+  private int idleHoles;
 
   /** Of segments that are all there. */
   Chains(Rim segments) {
@@ -27,6 +28,8 @@ final class Chains {
     for (int ring : Nest.innermost(points, rings, holes)) {
       if (ring >= 0) {
         isHole[ring] = true;
+      } else {
+        idleHoles++;
       }
     }
     List<Shape> outer = new ArrayList<>();
@@ -46,6 +49,11 @@ final class Chains {
 
   int verticesApart() {
     return segments.vertices() - onRings;
+  }
+
+  /** How many points of holes lie in no ring. */
+  int idleHoles() {
+    return idleHoles;
   }
 
   int looseSegments() {

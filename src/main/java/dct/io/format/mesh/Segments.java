@@ -23,6 +23,12 @@ final class Segments {
       " segments of rings end at this vertex, where rings touch; list it once for each ring, and"
           + " give --touching split or --touching hair";
 
+  private static final String UNMARKED =
+      " segments end at this vertex, and no markers tell which are of rings; give those of rings the"
+          + " marker 1";
+  private static final String OPEN =
+      "only one segment ends at this vertex, and there is no ring; add the segments that close it";
+
   private final int vertices;
   private final List<Segment> all = new ArrayList<>();
 
@@ -73,23 +79,34 @@ final class Segments {
     return kept;
   }
 
-  /**
-   * What keeps the segments from being rings: a vertex at which more than two of them end that are
-   * marked, or no matter which if too few are.
-   */
+  /** What keeps the segments from being rings: a vertex where too many end, or one only. */
   Optional<Shapes.Fault> fault(int... lines) {
     List<Segment> marked = all.stream().filter(Segment::isMarked).toList();
-    return branch(marked, lines).or(() -> branch(all, lines));
+    int[] left = degrees(marked.isEmpty() ? all : marked, true);
+    String branch = marked.isEmpty() ? UNMARKED : BRANCH;
+    int[] ends = degrees(all, false);
+    return IntStream.range(0, vertices)
+        .filter(v -> left[v] > 2)
+        .mapToObj(v -> new Shapes.Fault(lines[v], left[v] + branch))
+        .findFirst()
+        .or(
+            () ->
+                IntStream.range(0, vertices)
+                    .filter(v -> ends[v] == 1)
+                    .mapToObj(v -> new Shapes.Fault(lines[v], OPEN))
+                    .findFirst());
   }
 
-  private Optional<Shapes.Fault> branch(List<Segment> segments, int... lines) {
+  /** How many segments end at each vertex, perhaps without those that lead nowhere. */
+  private int[] degrees(List<Segment> segments, boolean isOfRings) {
     List<Segment> different = segments.stream().filter(s -> s.from != s.to).toList();
     int[] degree = new int[vertices];
-    withoutEnds(different, degree);
-    return IntStream.range(0, vertices)
-        .filter(v -> degree[v] > 2)
-        .mapToObj(v -> new Shapes.Fault(lines[v], degree[v] + BRANCH))
-        .findFirst();
+    if (isOfRings) {
+      withoutEnds(different, degree);
+    } else {
+      different.stream().flatMapToInt(s -> IntStream.of(s.ends())).forEach(v -> degree[v]++);
+    }
+    return degree;
   }
 
   /** The cycles of segments, without those that lead nowhere; none if they branch. */

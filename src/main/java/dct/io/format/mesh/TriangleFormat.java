@@ -55,7 +55,7 @@ public final class TriangleFormat implements Format {
     }
     int segments = rows.count(0);
     Segments all = new Segments(points.size());
-    List<String> read = List.copyOf(notes);
+    List<String> read = new ArrayList<>(notes);
     Rim rim = new Rim(points.size());
     for (int s = 0; s < segments; s++) {
       rows.next(s, segments, "segments");
@@ -80,6 +80,12 @@ public final class TriangleFormat implements Format {
       notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
     }
     RegionShape region = all.region(points.points(), points.lines(), holes.points());
+    int idle = chains.idleHoles();
+    if (idle > 0) {
+      String lie = idle == 1 ? "1 point of a hole lies" : idle + " points of holes lie";
+      notes.add(lie + " in no ring");
+      read.add(lie + " in no ring");
+    }
     Optional<Shapes.Fault> fault =
         region.rings().isEmpty() ? all.fault(points.lines()) : Optional.empty();
     return new Shapes(

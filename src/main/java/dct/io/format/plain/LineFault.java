@@ -33,6 +33,10 @@ public final class LineFault {
       Pattern.compile("[+-]?[0-9]+\\.#(inf|ind|[qs]nan)[0-9]*");
   private static final String MINUS_LIKE = "\u2010\u2011\u2012\u2013\u2014\u2212\uFE63\uFF0D";
 
+  private static final Pattern FIXED = Pattern.compile("^fixed\\b");
+  private static final Pattern NEARLY =
+      Pattern.compile("(?i)(?:holes?|inner|interior|sites?|steiner points?|fix|fixed)\\b.*");
+
   private final String name;
   private final ByteLines lines;
   private final byte[] line;
@@ -51,10 +55,23 @@ public final class LineFault {
     }
     String data = data();
     return ForeignText.fault(data)
+        .or(() -> regionWord(data))
         .map(this::fault)
         .or(() -> decimalComma(data))
         .or(() -> words(data).map(this::wrongWord).flatMap(Optional::stream).findFirst())
         .orElseGet(() -> wrongCount(data));
+  }
+
+  /** What is wrong with a word of a region, or with one that looks like it was to be one. */
+  private static Optional<String> regionWord(String data) {
+    if (FIXED.matcher(data).find()) {
+      return Optional.of(
+          "\"fixed\" stands without the numbers of two vertices behind it; write fixed i j");
+    }
+    return NEARLY.matcher(data).matches()
+        ? Optional.of(
+            "\"" + Shown.word(data) + "\" is no word of a region; write hole, sites or fixed i j")
+        : Optional.empty();
   }
 
   /** Throws if the line is no text in UTF-8. */

@@ -125,6 +125,13 @@ public final class VertexText {
     List<Shape> shapes =
         shapes(read, numbers, parts.isEmpty() ? layout.groups(read.size()) : starts());
     int[] ends = fixed.ends(read.size());
+    int empty = parts.size() + 1 - shapes.size();
+    if (!parts.isEmpty() && empty > 0) {
+      notes.add(
+          empty == 1
+              ? "1 ring or list of sites without vertices is left out"
+              : empty + " rings or lists of sites without vertices are left out");
+    }
     Optional<Shapes.Whole> whole =
         ends.length == 0
             ? Optional.empty()
