@@ -24,6 +24,7 @@ public final class TriangleFormat implements Format {
   private static final Pattern COUNTS = Pattern.compile("[0-9]+\\s+2\\s+[0-9]+\\s+[01]");
   private static final int MARKER = 3; // the place of a segment's marker in its row
   private static final String CURE = "correct the segment";
+  private static final String IN_NONE = " in no ring";
 
   @Override
   public String title() {
@@ -53,10 +54,27 @@ public final class TriangleFormat implements Format {
     if (!rows.next() || rows.count(0) == 0) {
       return new Shapes(title(), List.of(sites), notes);
     }
-    int segments = rows.count(0);
-    Segments all = new Segments(points.size());
-    List<String> read = new ArrayList<>(notes);
     Rim rim = new Rim(points.size());
+    Segments all = segments(rows, nodes, rim);
+    PointColumns holes = holes(rows);
+    Chains chains = new Chains(rim);
+    List<Shape> rings = chains.rings(points.points(), points.lines(), holes.points());
+    int idle = chains.idleHoles();
+    if (idle > 0) {
+      notes.add((idle == 1 ? "1 point of a hole lies" : idle + " points of holes lie") + IN_NONE);
+    }
+    RegionShape region = all.region(points.points(), points.lines(), holes.points());
+    Optional<Shapes.Fault> fault =
+        region.rings().isEmpty() ? all.fault(points.lines()) : Optional.empty();
+    Shapes.Whole whole = new Shapes.Whole(region, notes, fault);
+    tell(chains, notes);
+    return new Shapes(
+        title(), rings.isEmpty() ? List.of(sites) : rings, notes, Optional.of(whole), false);
+  }
+
+  private static Segments segments(Rows rows, NodeList nodes, Rim rim) throws IOException {
+    int segments = rows.count(0);
+    Segments all = new Segments(nodes.points().size());
     for (int s = 0; s < segments; s++) {
       rows.next(s, segments, "segments");
       int u = nodes.vertex(rows, 1, CURE);
@@ -64,14 +82,21 @@ public final class TriangleFormat implements Format {
       rim.add(u, v);
       all.add(u, v, rows.words().size() > MARKER && !rows.words().get(MARKER).equals("0"));
     }
+    return all;
+  }
+
+  private static PointColumns holes(Rows rows) throws IOException {
     PointColumns holes = new PointColumns();
     int count = rows.next() ? rows.count(0) : 0;
     for (int h = 0; h < count; h++) {
       rows.next(h, count, "points of holes");
       holes.add(rows.number(1), rows.number(2), rows.line());
     }
-    Chains chains = new Chains(rim);
-    List<Shape> rings = chains.rings(points.points(), points.lines(), holes.points());
+    return holes;
+  }
+
+  /** Says what is left out if the rings are not read as a region. */
+  private static void tell(Chains chains, List<String> notes) {
     int apart = chains.verticesApart();
     if (apart > 0) {
       notes.add(apart + (apart == 1 ? " vertex is" : " vertices are") + " on no ring, left out");
@@ -79,20 +104,5 @@ public final class TriangleFormat implements Format {
     if (chains.looseSegments() > 0) {
       notes.add(chains.looseSegments() + " segments that are no part of a ring are left out");
     }
-    RegionShape region = all.region(points.points(), points.lines(), holes.points());
-    int idle = chains.idleHoles();
-    if (idle > 0) {
-      String lie = idle == 1 ? "1 point of a hole lies" : idle + " points of holes lie";
-      notes.add(lie + " in no ring");
-      read.add(lie + " in no ring");
-    }
-    Optional<Shapes.Fault> fault =
-        region.rings().isEmpty() ? all.fault(points.lines()) : Optional.empty();
-    return new Shapes(
-        title(),
-        rings.isEmpty() ? List.of(sites) : rings,
-        notes,
-        Optional.of(new Shapes.Whole(region, read, fault)),
-        false);
   }
 }
