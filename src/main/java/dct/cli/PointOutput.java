@@ -55,11 +55,9 @@ final class PointOutput {
   }
 
   private static Scene scene(PointDocument document) {
-    if (document.rings().isPresent()) {
-      return Scene.region(document.rings().get());
-    }
-    return document.domain() == Domain.SITES
+    boolean sites = document.domain() == Domain.SITES;
+    return sites
         ? Scene.sites(document.points())
-        : Scene.polygon(document.points(), false, List.of());
+        : Scene.outline(document.outline(), false, List.of());
   }
 }

@@ -189,6 +189,11 @@ public final class PointDocument {
     return rings;
   }
 
+  /** The rings of what has an outline: those of a region, or that of a polygon. */
+  public Rings outline() {
+    return rings.orElseGet(() -> Rings.ofChain(points));
+  }
+
   /** The line of the file that point i stands on, from 1 on. */
   public int line(int i) {
     return lines[i];

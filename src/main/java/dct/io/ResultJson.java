@@ -16,8 +16,8 @@ import dct.core.degree.SearchLimits;
 import dct.core.geometry.Points;
 import dct.core.geometry.Region;
 import dct.core.geometry.Rings;
-import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
+import dct.io.format.Drawing;
 import dct.io.text.BadInputException;
 import dct.problem.Instance;
 import dct.problem.Solution;
@@ -108,12 +108,12 @@ public final class ResultJson {
   }
 
   /**
-   * Writes points of a domain and what is wished of them to a file, or nothing.
+   * Writes a drawing without its solution, and what is wished of its vertices, to a file, or
+   * nothing.
    *
    * @throws CannotWriteException if that failed; nothing is changed then
    */
-  public static void write(
-      Path file, Domain domain, Points points, ParityGoal wishes, Progress progress)
+  public static void write(Path file, Drawing drawing, ParityGoal wishes, Progress progress)
       throws CannotWriteException {
     AtomicFile.write(
         file,
@@ -122,9 +122,12 @@ public final class ResultJson {
             write(
                 out,
                 json -> {
-                  json.json.name("kind").value(domain.word());
-                  json.wishes("wishes", wishes, ParityGoal.allEven(points.size()));
-                  json.points(points);
+                  json.json.name("kind").value(drawing.domain().word());
+                  json.wishes("wishes", wishes, ParityGoal.allEven(drawing.points().size()));
+                  if (drawing.rings().isPresent()) {
+                    json.rings(asGiven(drawing.rings().get()), drawing.rings().get());
+                  }
+                  json.points(drawing.points());
                 }));
   }
 

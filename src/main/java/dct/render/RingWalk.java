@@ -36,6 +36,9 @@ final class RingWalk {
 
   /** Along rings that may run either way. */
   static int[] of(Rings rings) {
+    if (rings.ringVertices() == 0) {
+      return new int[0];
+    }
     IntStream.Builder walk = IntStream.builder();
     for (int r = 0; r < rings.count(); r++) {
       int size = rings.size(r);

@@ -211,8 +211,15 @@ public final class Scene {
       }
     }
     List<String> counts = List.of("Pieces " + partition.pieces());
+    boolean isPolygon = partition.region().isPolygon();
     return new Scene(
-        partition.region().points(), true, List.of(cuts, outline), null, counts, List.of());
+        partition.region().points(),
+        isPolygon,
+        isPolygon ? null : RingWalk.of(dcel),
+        List.of(cuts, outline),
+        null,
+        counts,
+        List.of());
   }
 
   /** Points that nothing connects yet. */
@@ -235,45 +242,36 @@ public final class Scene {
   }
 
   /**
-   * A polygon that is not triangulated yet.
+   * Rings and fixed edges that are not triangulated yet.
    *
-   * @param growing whether its last edge, back to the first vertex, is only proposed
-   * @param defects what keeps it from being simple; marked red
+   * @param growing whether the last edge of the last ring, back to its first vertex, is only
+   *     proposed
+   * @param defects what keeps them from bounding a region; marked red
    */
-  public static Scene polygon(Points points, boolean growing, List<Defect> defects) {
-    EdgeLayer closing = new EdgeLayer(growing ? CLOSING : OUTLINE, 1);
-    int n = points.size();
-    if (n > 2) {
-      closing.add(n - 1, 0);
-    }
-    EdgeLayer chain = new EdgeLayer(OUTLINE, n);
-    for (int v = 1; v < n; v++) {
-      chain.add(v - 1, v);
-    }
-    List<EdgeLayer> layers = List.of(closing, chain, defectLayer(defects));
-    return new Scene(points, true, layers, null, List.of(), defects);
-  }
-
-  /** A region that is not triangulated. */
-  public static Scene region(Rings rings) {
-    EdgeLayer outline = new EdgeLayer(OUTLINE, rings.ringVertices());
+  public static Scene outline(Rings rings, boolean growing, List<Defect> defects) {
+    EdgeLayer closing = new EdgeLayer(growing ? CLOSING : OUTLINE, rings.count());
+    EdgeLayer chain = new EdgeLayer(OUTLINE, rings.ringVertices());
     for (int r = 0; r < rings.count(); r++) {
-      for (int v : rings.ring(r)) {
-        outline.add(v, rings.after(v));
-      }
+      boolean last = r == rings.count() - 1;
+      addChain(rings, r, last ? closing : chain, chain);
     }
     EdgeLayer fixed = new EdgeLayer(STROKES.get(EdgeKind.FIXED), rings.fixedCount());
     for (int j = 0; j < rings.fixedCount(); j++) {
       fixed.add(rings.fixedFrom(j), rings.fixedTo(j));
     }
-    return new Scene(
-        rings.points(),
-        false,
-        RingWalk.of(rings),
-        List.of(fixed, outline),
-        null,
-        List.of(),
-        List.of());
+    List<EdgeLayer> layers = List.of(closing, fixed, chain, defectLayer(defects));
+    int[] walk = rings.isChain() ? null : RingWalk.of(rings);
+    return new Scene(rings.points(), rings.isChain(), walk, layers, null, List.of(), defects);
+  }
+
+  private static void addChain(Rings rings, int r, EdgeLayer closing, EdgeLayer chain) {
+    int n = rings.size(r);
+    if (n > 2) {
+      closing.add(rings.vertex(r, n - 1), rings.vertex(r, 0));
+    }
+    for (int k = 1; k < n; k++) {
+      chain.add(rings.vertex(r, k - 1), rings.vertex(r, k));
+    }
   }
 
   /**

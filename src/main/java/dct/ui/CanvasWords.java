@@ -7,6 +7,7 @@ import dct.problem.Solution;
 import dct.ui.document.Analysis;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
+import dct.ui.document.Layout;
 import dct.ui.document.Result;
 import dct.ui.document.ResultTitle;
 import java.util.List;
@@ -30,7 +31,7 @@ final class CanvasWords {
     if (document.size() == 0) {
       return "Empty; the keys of the menu Edit choose a tool";
     }
-    boolean pending = !editor.shown().document().points().equals(document.points());
+    boolean pending = !editor.shown().document().isDrawnAs(document);
     return subject(document)
         + (pending ? ", being analysed" : state(document, editor.shown()))
         + (pending ? "" : "; " + triangulation(document, editor.shown()));
@@ -40,7 +41,21 @@ final class CanvasWords {
     int n = document.size();
     boolean polygon = document.domain() == Domain.POLYGON;
     String vertices = n == 1 ? (polygon ? "vertex" : "site") : document.domain().vertices();
-    return (polygon ? "A polygon of " : "") + n + " " + vertices;
+    String region =
+        document.content() == Domain.REGION ? " with " + inside(document.layout(), n) : "";
+    return (polygon ? "A polygon of " : "") + n + " " + vertices + region;
+  }
+
+  private static String inside(Layout layout, int n) {
+    return counted(layout.holes(), "hole")
+        + ", "
+        + counted(layout.sites(n), "site")
+        + " inside and "
+        + counted(layout.fixedCount(), "fixed edge");
+  }
+
+  private static String counted(int count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
   }
 
   private static String state(Document document, Analysis shown) {

@@ -46,8 +46,9 @@ final class Recovery {
 
   private static String contents(Document document) {
     int n = document.size();
-    return switch (document.domain()) {
-      case POLYGON, REGION -> "a polygon with " + n + (n == 1 ? " vertex" : " vertices");
+    return switch (document.content()) {
+      case POLYGON -> "a polygon with " + n + (n == 1 ? " vertex" : " vertices");
+      case REGION -> "a region with " + n + " vertices";
       case SITES -> n + (n == 1 ? " site" : " sites");
     };
   }

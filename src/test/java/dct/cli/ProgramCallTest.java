@@ -43,13 +43,13 @@ class ProgramCallTest {
   @ParameterizedTest
   @EnumSource(Method.class)
   void aMethodIsCalledByItsWord(Method method) {
-    ProgramCall call = ProgramCall.triangulate(FILE, method).flip();
+    Domain domain = method.application();
+    ProgramCall call = ProgramCall.triangulate(FILE, domain, method).flip();
     assertThat(call.words()).startsWith("triangulate");
     ParseResult parsed = parse(new TriangulateCommand(console()), call);
     assertThat(parsed.<String>matchedPositionalValue(0, null)).isEqualTo(FILE.toString());
     assertThat(ProgramCallTest.<String>option(parsed, "--algorithm")).isEqualTo(method.word());
-    assertThat(ProgramCallTest.<String>option(parsed, "--as"))
-        .isEqualTo(method.application().word());
+    assertThat(ProgramCallTest.<String>option(parsed, "--as")).isEqualTo(domain.word());
     assertThat(ProgramCallTest.<Boolean>option(parsed, "--flip")).isTrue();
     assertThat(parsed.matchedOptions()).hasSize(3);
   }
@@ -58,7 +58,9 @@ class ProgramCallTest {
   void aSearchKeepsItsLimits() {
     SearchLimits limits = new SearchLimits(-7, 2.5, 0.1);
     ProgramCall call =
-        ProgramCall.triangulate(FILE, Method.DELAUNAY).optimize("odd", limits).writing(FILE);
+        ProgramCall.triangulate(FILE, Domain.SITES, Method.DELAUNAY)
+            .optimize("odd", limits)
+            .writing(FILE);
     ParseResult parsed = parse(new TriangulateCommand(console()), call);
     assertThat(ProgramCallTest.<String>option(parsed, "--optimize")).isEqualTo("odd");
     assertThat(ProgramCallTest.<Long>option(parsed, "--seed")).isEqualTo(-7);
@@ -71,7 +73,8 @@ class ProgramCallTest {
   @Test
   void theUsualLimitsAreNotSaid() {
     ProgramCall call =
-        ProgramCall.triangulate(FILE, Method.MONOTONE).optimize(FILE, SearchLimits.DEFAULT);
+        ProgramCall.triangulate(FILE, Domain.REGION, Method.MONOTONE)
+            .optimize(FILE, SearchLimits.DEFAULT);
     assertThat(call.words()).doesNotContain("--effort", "--time-limit");
     ParseResult parsed = parse(new TriangulateCommand(console()), call);
     assertThat(ProgramCallTest.<String>option(parsed, "--optimize")).isEqualTo(FILE.toString());

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.Progress;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.experiment.generate.RandomSites;
@@ -112,7 +113,8 @@ class LabelPainterTest {
         inside.lineTo(x[i], y[i]);
       }
     }
-    Scene scene = Scene.polygon(Points.of(x, y), false, List.of()).withLabels(NUMBERS);
+    Scene scene =
+        Scene.outline(Rings.ofChain(Points.of(x, y)), false, List.of()).withLabels(NUMBERS);
     for (Viewport view : List.of(Viewport.IDENTITY, Viewport.IDENTITY.flipped(500, 350))) {
       List<Shape> labels = labels(scene, view);
       assertThat(labels).hasSize(14);

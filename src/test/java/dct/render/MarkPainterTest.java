@@ -7,6 +7,7 @@ import dct.core.degree.Mark;
 import dct.core.degree.Mark.Tone;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.experiment.generate.RandomSites;
@@ -28,7 +29,7 @@ class MarkPainterTest {
       x[v] = Math.cos(2 * Math.PI * v / n);
       y[v] = Math.sin(2 * Math.PI * v / n);
     }
-    return Scene.polygon(Points.of(x, y), false, List.of());
+    return Scene.outline(Rings.ofChain(Points.of(x, y)), false, List.of());
   }
 
   private static Scene sites(int n) {

@@ -11,6 +11,7 @@ import dct.core.degree.SearchLimits;
 import dct.core.geometry.Box;
 import dct.core.geometry.Defect;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.render.RecordingPen.Shape;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -32,8 +33,8 @@ class ScenePainterTest {
     for (Scene scene :
         List.of(
             Scene.of(Fixtures.pentagon()),
-            Scene.polygon(Fixtures.PENTAGON, true, List.of()),
-            Scene.polygon(Fixtures.PENTAGON, false, List.of()))) {
+            Scene.outline(Rings.ofChain(Fixtures.PENTAGON), true, List.of()),
+            Scene.outline(Rings.ofChain(Fixtures.PENTAGON), false, List.of()))) {
       Shape first = painted(scene).shapes.get(0);
       assertThat(first.kind()).isEqualTo("polygon");
       assertThat(first.ink()).isEqualTo(Ink.INSIDE);
@@ -88,7 +89,7 @@ class ScenePainterTest {
 
   @Test
   void anUnfinishedPolygonHasNeutralVerticesAndNoCounts() {
-    RecordingPen pen = painted(Scene.polygon(Fixtures.PENTAGON, true, List.of()));
+    RecordingPen pen = painted(Scene.outline(Rings.ofChain(Fixtures.PENTAGON), true, List.of()));
     assertThat(pen.count("disc", Ink.VERTEX)).isEqualTo(5);
     assertThat(pen.count("line", Ink.BOUNDARY)).isEqualTo(4);
     assertThat(pen.count("line", Ink.PROPOSED)).isEqualTo(1);
@@ -99,7 +100,7 @@ class ScenePainterTest {
   void crossingEdgesAreRed() {
     Points bowTie = Points.ofPairs(0, 0, 100, 100, 100, 0, 0, 100);
     Defect crossing = new Defect(Defect.Kind.CROSSING, 0, 2, 50, 50, 4);
-    RecordingPen pen = painted(Scene.polygon(bowTie, false, List.of(crossing)));
+    RecordingPen pen = painted(Scene.outline(Rings.ofChain(bowTie), false, List.of(crossing)));
     assertThat(pen.shapes)
         .filteredOn(s -> s.ink() == Ink.DEFECT && s.kind().equals("line"))
         .extracting(s -> ends(s))
@@ -114,7 +115,7 @@ class ScenePainterTest {
   void theLastEdgeOfAPolygonIsCalledByItsTwoEnds() {
     Points points = Points.ofPairs(0, 0, 100, 100, 100, 0, 50, 90);
     Defect crossing = new Defect(Defect.Kind.CROSSING, 1, 3, 100, 50, 4);
-    RecordingPen pen = painted(Scene.polygon(points, false, List.of(crossing)));
+    RecordingPen pen = painted(Scene.outline(Rings.ofChain(points), false, List.of(crossing)));
     assertThat(pen.shapes)
         .filteredOn(s -> s.ink() == Ink.DEFECT && s.kind().equals("line"))
         .extracting(s -> ends(s))
@@ -135,7 +136,7 @@ class ScenePainterTest {
   @Test
   void theEdgesOfTinyShapesAreDrawnToo() {
     Points tiny = Points.ofPairs(0, 0, 1e-200, 0, 1e-200, 1e-200, 0, 2e-200);
-    Scene scene = Scene.polygon(tiny, false, List.of());
+    Scene scene = Scene.outline(Rings.ofChain(tiny), false, List.of());
     RecordingPen pen = new RecordingPen();
     ScenePainter.paint(scene, ScenePainter.fitted(scene, 1000, 700, false), SCREEN, pen);
     assertThat(pen.count("line", Ink.BOUNDARY)).isEqualTo(4);
@@ -201,7 +202,7 @@ class ScenePainterTest {
   @Test
   void wishesOtherThanEvenAreWrittenBesideTheirVertices() {
     ParityGoal goal = ParityGoal.allEven(5).with(1, Wish.ODD).with(3, Wish.ANY);
-    Scene polygon = Scene.polygon(Fixtures.PENTAGON, false, List.of());
+    Scene polygon = Scene.outline(Rings.ofChain(Fixtures.PENTAGON), false, List.of());
     assertThat(painted(polygon.withWishes(goal)).texts()).containsExactly("odd", "any");
     Scene numbered = polygon.withWishes(goal).withLabels(new Labels(true, false));
     assertThat(painted(numbered).texts()).contains("v0", "v1 · odd", "v3 · any");
@@ -218,7 +219,8 @@ class ScenePainterTest {
   @Test
   void nothingIsDrawnForNoPoints() {
     assertThat(painted(Scene.sites(Points.ofPairs())).shapes).isEmpty();
-    assertThat(painted(Scene.polygon(Points.ofPairs(), true, List.of())).shapes).isEmpty();
+    assertThat(painted(Scene.outline(Rings.ofChain(Points.ofPairs()), true, List.of())).shapes)
+        .isEmpty();
   }
 
   private static String ends(Shape line) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dct.core.Progress;
 import dct.core.geometry.Box;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
 import dct.core.triangulate.Triangulation;
@@ -29,7 +30,7 @@ class SceneRasterTest {
   void thePartsOfAPictureMakeTheWhole(double scale) {
     requirePartsMakeTheWhole(Scene.of(delaunay(3000)), scale);
     Points tangled = RandomSites.uniform(3000, 4);
-    requirePartsMakeTheWhole(Scene.polygon(tangled, false, List.of()), scale);
+    requirePartsMakeTheWhole(Scene.outline(Rings.ofChain(tangled), false, List.of()), scale);
   }
 
   private static void requirePartsMakeTheWhole(Scene scene, double scale) {

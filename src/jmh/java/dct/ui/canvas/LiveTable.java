@@ -2,6 +2,7 @@ package dct.ui.canvas;
 
 import dct.core.Progress;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.geometry.SimplicityCheck;
 import dct.core.triangulate.Domain;
 import dct.experiment.generate.PolygonShape;
@@ -49,7 +50,7 @@ public final class LiveTable {
   private LiveTable(PolygonShape shape, int n) {
     this.shape = shape;
     start = shape.generate(n, 5).points();
-    Scene scene = Scene.polygon(start, false, List.of());
+    Scene scene = Scene.outline(Rings.ofChain(start), false, List.of());
     view = ScenePainter.fitted(scene, CANVAS.width, CANVAS.height, false);
   }
 

@@ -19,29 +19,41 @@ public final class Crossings {
   private Crossings() {}
 
   /**
-   * All crossings of the closed chain through these points, in O(n²); none are looked for if there
-   * are more than {@value #MOST_VERTICES}.
+   * All crossings of the edges of these rings and the fixed ones, in O(n²); none are looked for if
+   * there are more than {@value #MOST_VERTICES} vertices and fixed edges.
    *
    * @throws java.util.concurrent.CancellationException if cancelled
    */
-  public static List<Defect> of(Points points, Progress progress) {
+  public static List<Defect> of(Rings rings, Progress progress) {
     List<Defect> crossings = new ArrayList<>();
-    int n = points.size();
-    if (n <= MOST_VERTICES) {
-      for (int a = 0; a < n; a++) {
-        progress.checkCancelled();
-        for (int b = a + 2; b < n; b++) {
-          if (areCrossing(points, a, after(points, a), b, after(points, b))) {
-            crossings.add(defect(points, a, after(points, a), b, after(points, b)));
-          }
+    Points points = rings.points();
+    int edges = points.size() + rings.fixedCount();
+    for (int one = 0; one < edges && edges <= MOST_VERTICES; one++) {
+      progress.checkCancelled();
+      for (int other = one + 1; other < edges && isEdge(rings, one); other++) {
+        if (isEdge(rings, other)) {
+          add(
+              points,
+              rings.from(one),
+              rings.to(one),
+              rings.from(other),
+              rings.to(other),
+              crossings);
         }
       }
     }
     return crossings;
   }
 
-  private static int after(Points points, int v) {
-    return v + 1 == points.size() ? 0 : v + 1;
+  /** There is none behind the number of a site. */
+  private static boolean isEdge(Rings rings, int edge) {
+    return edge >= rings.points().size() || rings.isOnRing(edge);
+  }
+
+  private static void add(Points points, int a, int b, int c, int d, List<Defect> crossings) {
+    if (areCrossing(points, a, b, c, d)) {
+      crossings.add(defect(points, a, b, c, d));
+    }
   }
 
   /** Whether the segments ab and cd cross in their interiors. */

@@ -2,8 +2,6 @@ package dct.core.geometry;
 
 import dct.core.Progress;
 import java.util.Arrays;
-import java.util.HashSet;
-import java.util.Set;
 
 /**
  * The inside of an outer ring without the holes in it, with sites and fixed edges inside: checked
@@ -24,7 +22,6 @@ public final class Region {
   private final int[] positions; // by vertex: its position, or NONE
   private final int[] after; // by position: the next one on its walk
   private final int[] before; // by position: the one before it
-  private final Set<Long> fixed;
 
   private Region(SimplePolygon polygon) {
     this.polygon = polygon;
@@ -34,7 +31,6 @@ public final class Region {
     positions = null;
     after = null;
     before = null;
-    fixed = Set.of();
   }
 
   private Region(Rings rings) {
@@ -58,10 +54,6 @@ public final class Region {
         before[first + k] = k == 0 ? first + size - 1 : first + k - 1;
       }
       first += size;
-    }
-    fixed = new HashSet<>();
-    for (int j = 0; j < rings.fixedCount(); j++) {
-      fixed.add(Rings.key(rings.fixedFrom(j), rings.fixedTo(j)));
     }
   }
 
@@ -170,6 +162,6 @@ public final class Region {
 
   /** Whether these vertices are the ends of a fixed edge. */
   public boolean isFixed(int u, int v) {
-    return !fixed.isEmpty() && fixed.contains(Rings.key(u, v));
+    return rings.isFixed(u, v);
   }
 }

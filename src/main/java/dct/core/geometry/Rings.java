@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Closed chains of vertices, fixed edges, and vertices on no chain: what the boundary and the
@@ -24,6 +25,7 @@ public final class Rings {
   private final int[] ring; // by vertex: its ring, or NONE; null as above
   private final int[] place; // by vertex: its place in `members`; null as above
   private final int[] fixed; // the ends of the fixed edges, two an edge
+  private final Set<Long> fixedKeys; // the keys of the fixed edges
 
   private Rings(Points points, int[] start, int[] members, int[] fixed) {
     this.points = points;
@@ -41,6 +43,7 @@ public final class Rings {
         }
       }
     }
+    fixedKeys = new HashSet<>();
     this.fixed = without(fixed);
   }
 
@@ -90,11 +93,10 @@ public final class Rings {
   private int[] without(int[] given) {
     int[] kept = new int[given.length];
     int count = 0;
-    Set<Long> seen = new HashSet<>();
     for (int j = 0; j + 1 < given.length; j += 2) {
       int u = given[j];
       int v = given[j + 1];
-      if (u != v && !areNeighbours(u, v) && seen.add(key(u, v))) {
+      if (u != v && !areNeighbours(u, v) && fixedKeys.add(key(u, v))) {
         kept[count++] = u;
         kept[count++] = v;
       }
@@ -179,6 +181,33 @@ public final class Rings {
   /** The number of fixed edges. */
   public int fixedCount() {
     return fixed.length / 2;
+  }
+
+  /** Whether these vertices are the ends of a fixed edge. */
+  public boolean isFixed(int u, int v) {
+    return !fixedKeys.isEmpty() && fixedKeys.contains(key(u, v));
+  }
+
+  /** Whether these vertices are the ends of an edge of a ring or of a fixed one. */
+  public boolean isEdge(int u, int v) {
+    return areNeighbours(u, v) || isFixed(u, v);
+  }
+
+  /**
+   * Whether other rings have the same edges and fixed edges, whichever way they run, and from
+   * whichever vertex on. In linear time.
+   */
+  public boolean hasEdgesOf(Rings other) {
+    return points.equals(other.points)
+        && fixedKeys.equals(other.fixedKeys)
+        && ringVertices() == other.ringVertices()
+        && IntStream.range(0, points.size()).allMatch(v -> isLike(other, v));
+  }
+
+  private boolean isLike(Rings other, int v) {
+    return isOnRing(v)
+        ? other.isOnRing(v) && other.areNeighbours(v, after(v)) && other.areNeighbours(v, before(v))
+        : !other.isOnRing(v);
   }
 
   /** One end of the j-th fixed edge. */

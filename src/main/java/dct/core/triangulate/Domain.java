@@ -43,6 +43,11 @@ public enum Domain {
     return List.of(POLYGON, SITES);
   }
 
+  /** The application that shows it: regions belong to that of polygons. */
+  public Domain application() {
+    return this == SITES ? SITES : POLYGON;
+  }
+
   /** The domain that a word stands for, or nothing for any other word. */
   public static Optional<Domain> parse(String word) {
     return Arrays.stream(values()).filter(domain -> domain.word.equals(word)).findFirst();

@@ -4,7 +4,7 @@ import dct.core.Progress;
 import dct.core.geometry.Crossings;
 import dct.core.geometry.Defect;
 import dct.core.geometry.InvalidGeometryException;
-import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.core.geometry.SimplicityCheck;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -83,7 +83,7 @@ public final class Analysis {
     return manner
         .live()
         .flatMap(method -> triangulated(document, method, manner, progress))
-        .orElseGet(() -> outline(document, defects(document.points(), progress), manner, false));
+        .orElseGet(() -> outline(document, defects(document.rings(), progress), manner, false));
   }
 
   /** The polygon as the method triangulates it, if it is simple. */
@@ -103,33 +103,37 @@ public final class Analysis {
   private static Analysis outline(
       Document document, List<Defect> defects, Manner manner, boolean pending) {
     boolean growing = manner.growing();
-    Scene scene = Scene.polygon(document.points(), growing, named(defects, growing));
+    boolean open = growing && document.layout().openSize(document.size()) > 0;
+    Scene scene = Scene.outline(document.rings(), open, named(document, defects, growing));
     return new Analysis(document, Optional.empty(), defects, scene, manner, pending);
   }
 
   /**
    * While vertices are being drawn, nothing that only the provisional last edge does is a fault.
    */
-  private static List<Defect> named(List<Defect> defects, boolean growing) {
-    return growing ? defects.stream().filter(defect -> !isOfLastEdge(defect)).toList() : defects;
+  private static List<Defect> named(Document document, List<Defect> defects, boolean growing) {
+    return growing
+        ? defects.stream().filter(defect -> !isOfLastEdge(defect, document)).toList()
+        : defects;
   }
 
-  private static boolean isOfLastEdge(Defect defect) {
-    int last = defect.count() - 1;
+  private static boolean isOfLastEdge(Defect defect, Document document) {
+    int first = document.layout().first(document.size());
+    int last = document.layout().last(document.size());
+    boolean one = isEdge(defect.first(), defect.firstEnd(), first, last);
+    boolean other = isEdge(defect.second(), defect.secondEnd(), first, last);
     return switch (defect.kind()) {
-      case CROSSING, OVERLAP -> defect.first() == last || defect.second() == last;
-      case TOUCH -> defect.second() == last;
-      case SPIKE -> defect.first() == 0 || defect.first() == last;
-      case TOO_FEW, COLLINEAR -> true; // there will be more
-      case FEW_SITES,
-          SITES_ON_ONE_LINE,
-          DUPLICATE,
-          SMALL_HOLE,
-          STRAY_HOLE,
-          STRAY_SITE,
-          STRAY_EDGE ->
-          false;
+      case CROSSING, OVERLAP -> one || other;
+      case TOUCH -> other;
+      case SPIKE -> defect.first() == first || defect.first() == last;
+      case SMALL_HOLE -> defect.first() == first; // there will be more
+      case TOO_FEW, COLLINEAR -> !document.layout().isHole();
+      case FEW_SITES, SITES_ON_ONE_LINE, DUPLICATE, STRAY_HOLE, STRAY_SITE, STRAY_EDGE -> false;
     };
+  }
+
+  private static boolean isEdge(int from, int to, int first, int last) {
+    return (from == first && to == last) || (from == last && to == first);
   }
 
   private static Analysis untriangulated(Document document, boolean pending) {
@@ -143,13 +147,13 @@ public final class Analysis {
     return new Analysis(document, Optional.empty(), List.of(defect), scene, SITES, false);
   }
 
-  private static List<Defect> defects(Points points, Progress progress) {
+  private static List<Defect> defects(Rings rings, Progress progress) {
     List<Defect> defects = new ArrayList<>();
-    SimplicityCheck.firstDefect(points, progress)
+    SimplicityCheck.firstDefect(rings, progress)
         .ifPresent(
             first -> {
               defects.add(first);
-              defects.addAll(Crossings.of(points, progress));
+              defects.addAll(Crossings.of(rings, progress));
             });
     return List.copyOf(defects);
   }
@@ -173,15 +177,15 @@ public final class Analysis {
     return !pending;
   }
 
-  /** Whether this is a whole analysis of these points in this manner, wherever it was made. */
-  boolean isOf(Points points, Manner wished) {
+  /** Whether this is a whole analysis of such points in this manner, wherever it was made. */
+  boolean isOf(Document other, Manner wished) {
     boolean sites = document.domain() == Domain.SITES;
-    return isOf(points) && (sites || manner.suits(wished));
+    return isOf(other) && (sites || manner.suits(wished));
   }
 
-  /** Whether this is a whole analysis of these points, wherever it was made. */
-  boolean isOf(Points points) {
-    return !pending && document.points().equals(points);
+  /** Whether this is a whole analysis of such points, wherever it was made. */
+  boolean isOf(Document other) {
+    return !pending && document.isDrawnAs(other);
   }
 
   /** The same of a document with the same points; its wishes and its result may be others. */
@@ -252,7 +256,7 @@ public final class Analysis {
    * are being drawn, nothing that only the last edge does, which is provisional.
    */
   public List<Defect> defects() {
-    return named(defects, manner.growing());
+    return named(document, defects, manner.growing());
   }
 
   /** The picture. */

@@ -26,14 +26,17 @@ public final class BulkEdit {
    * New vertices.
    *
    * @param what what is done, as "Paste"; the number of the vertices is written behind it
-   * @param first the number of the first of them; those from there on move up
+   * @param first the number of the first of them; those from there on move up. In a polygon it is
+   *     one more than that of the vertex behind which they come, or the next to be drawn
    * @param wishes the parity wished of each
    */
   public static Edit insert(
       String what, Document document, int first, Points points, ParityGoal wishes) {
     String label = what + " " + words(points.size(), document.domain());
     Selection which = Selection.range(first, first + points.size());
-    return new Insert(label, which, points, wishes);
+    Layout before = document.layout();
+    Layout after = before.with(first, points.size(), document.size());
+    return new Insert(label, which, points, wishes, before, after);
   }
 
   /**
@@ -43,7 +46,14 @@ public final class BulkEdit {
    */
   public static Edit delete(String what, Document document, Selection which) {
     String label = what + " " + words(which.count(), document.domain());
-    return new Delete(label, which, which.of(document.points()), wishes(document, which));
+    Layout before = document.layout();
+    return new Delete(
+        label,
+        which,
+        which.of(document.points()),
+        wishes(document, which),
+        before,
+        before.without(which, document.size()));
   }
 
   /** What is wished of the selected vertices. */
@@ -70,7 +80,7 @@ public final class BulkEdit {
 
   /** The document with these vertices, which get the numbers of the selection. */
   private static Document with(
-      Document document, Selection which, Points points, ParityGoal wishes) {
+      Document document, Selection which, Points points, ParityGoal wishes, Layout layout) {
     int n = document.size() + points.size();
     double[] x = new double[n];
     double[] y = new double[n];
@@ -85,10 +95,10 @@ public final class BulkEdit {
       y[v] = from.y(k);
       all[v] = (isNew ? wishes : document.wishes()).wish(k);
     }
-    return new Document(document.domain(), Points.of(x, y), ParityGoal.of(all));
+    return new Document(document.domain(), Points.of(x, y), layout, ParityGoal.of(all));
   }
 
-  private static Document without(Document document, Selection which) {
+  private static Document without(Document document, Selection which, Layout layout) {
     int n = document.size() - which.count();
     double[] x = new double[n];
     double[] y = new double[n];
@@ -101,7 +111,7 @@ public final class BulkEdit {
         wishes[k++] = document.wishes().wish(v);
       }
     }
-    return new Document(document.domain(), Points.of(x, y), ParityGoal.of(wishes));
+    return new Document(document.domain(), Points.of(x, y), layout, ParityGoal.of(wishes));
   }
 
   /** See {@link BulkEdit#move}. */
@@ -118,28 +128,32 @@ public final class BulkEdit {
   }
 
   /** See {@link BulkEdit#insert}. */
-  record Insert(String label, Selection which, Points points, ParityGoal wishes) implements Edit {
+  record Insert(
+      String label, Selection which, Points points, ParityGoal wishes, Layout before, Layout after)
+      implements Edit {
     @Override
     public Document apply(Document document) {
-      return with(document, which, points, wishes);
+      return with(document, which, points, wishes, after);
     }
 
     @Override
     public Document revert(Document document) {
-      return without(document, which);
+      return without(document, which, before);
     }
   }
 
   /** See {@link BulkEdit#delete}. */
-  record Delete(String label, Selection which, Points points, ParityGoal wishes) implements Edit {
+  record Delete(
+      String label, Selection which, Points points, ParityGoal wishes, Layout before, Layout after)
+      implements Edit {
     @Override
     public Document apply(Document document) {
-      return without(document, which);
+      return without(document, which, after);
     }
 
     @Override
     public Document revert(Document document) {
-      return with(document, which, points, wishes);
+      return with(document, which, points, wishes, before);
     }
   }
 }

@@ -3,6 +3,7 @@ package dct.ui.document;
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
 import java.util.Optional;
 
 /**
@@ -13,6 +14,7 @@ public sealed interface Edit
     permits Edit.Insert,
         Edit.Delete,
         Edit.Move,
+        Edit.Laid,
         Edit.Wished,
         Edit.Replace,
         Edit.Made,
@@ -29,20 +31,46 @@ public sealed interface Edit
   /** The document before it. */
   Document revert(Document document);
 
-  /** A new vertex at the end. */
+  /** A new vertex at the end of the ring that is drawn, or a new site. */
   static Edit draw(Document document, double x, double y) {
-    return new Insert("Draw Vertex v" + document.size(), document.size(), x, y);
+    int n = document.size();
+    int number = document.layout().next(n);
+    Layout before = document.layout();
+    return new Insert("Draw Vertex v" + number, number, x, y, before, before.drawn(n));
   }
 
-  /** A new vertex with this number; those from there on move up by one. */
-  static Edit split(int vertex, double x, double y) {
-    return new Insert("Split Vertex v" + vertex, vertex, x, y);
+  /** A new vertex between the ends of an edge of a polygon, or a new site. */
+  static Edit split(Document document, int from, int to, double x, double y) {
+    int n = document.size();
+    Layout before = document.layout();
+    boolean sites = document.domain() == Domain.SITES;
+    int number = sites ? n : before.splitNumber(from, to, n);
+    return new Insert("Split Vertex v" + number, number, x, y, before, before.split(from, to, n));
+  }
+
+  /** A new site inside a polygon. */
+  static Edit site(Document document, double x, double y) {
+    int n = document.size();
+    Layout before = document.layout();
+    return new Insert("Draw Inner Site v" + n, n, x, y, before, before.withSite(n));
+  }
+
+  /** The same vertices hanging together otherwise. */
+  static Edit layout(String label, Document document, Layout after) {
+    return new Laid(label, document.layout(), after);
   }
 
   /** One vertex less; its neighbours are joined. */
   static Edit delete(Document document, int vertex) {
     Points points = document.points();
-    return new Delete(vertex, points.x(vertex), points.y(vertex), document.wishes().wish(vertex));
+    Layout before = document.layout();
+    return new Delete(
+        vertex,
+        points.x(vertex),
+        points.y(vertex),
+        document.wishes().wish(vertex),
+        before,
+        before.without(Selection.of(vertex), document.size()));
   }
 
   /** A vertex at another place. */
@@ -71,33 +99,40 @@ public sealed interface Edit
     return new Made(label, document.result(), after);
   }
 
-  private static Document inserted(Document document, int vertex, double x, double y, Wish wish) {
+  private static Document inserted(
+      Document document, int vertex, double x, double y, Wish wish, Layout layout) {
     return new Document(
         document.domain(),
         document.points().inserted(vertex, x, y),
+        layout,
         document.wishes().inserted(vertex, wish));
   }
 
-  private static Document removed(Document document, int vertex) {
+  private static Document removed(Document document, int vertex, Layout layout) {
     return new Document(
-        document.domain(), document.points().removed(vertex), document.wishes().removed(vertex));
+        document.domain(),
+        document.points().removed(vertex),
+        layout,
+        document.wishes().removed(vertex));
   }
 
-  /** See {@link #draw} and {@link #split}. */
-  record Insert(String label, int vertex, double x, double y) implements Edit {
+  /** See {@link #draw}, {@link #split} and {@link #site}. */
+  record Insert(String label, int vertex, double x, double y, Layout before, Layout after)
+      implements Edit {
     @Override
     public Document apply(Document document) {
-      return inserted(document, vertex, x, y, Wish.EVEN);
+      return inserted(document, vertex, x, y, Wish.EVEN, after);
     }
 
     @Override
     public Document revert(Document document) {
-      return removed(document, vertex);
+      return removed(document, vertex, before);
     }
   }
 
   /** See {@link #delete}. */
-  record Delete(int vertex, double x, double y, Wish wish) implements Edit {
+  record Delete(int vertex, double x, double y, Wish wish, Layout before, Layout after)
+      implements Edit {
     @Override
     public String label() {
       return "Delete Vertex v" + vertex;
@@ -105,12 +140,25 @@ public sealed interface Edit
 
     @Override
     public Document apply(Document document) {
-      return removed(document, vertex);
+      return removed(document, vertex, after);
     }
 
     @Override
     public Document revert(Document document) {
-      return inserted(document, vertex, x, y, wish);
+      return inserted(document, vertex, x, y, wish, before);
+    }
+  }
+
+  /** See {@link #layout}. */
+  record Laid(String label, Layout before, Layout after) implements Edit {
+    @Override
+    public Document apply(Document document) {
+      return document.with(after);
+    }
+
+    @Override
+    public Document revert(Document document) {
+      return document.with(before);
     }
   }
 

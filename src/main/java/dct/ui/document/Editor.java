@@ -270,7 +270,7 @@ public final class Editor {
   private void analyseVisible() {
     Document document = visible();
     Manner manner = manner();
-    if (shown.isOf(document.points(), manner)) {
+    if (shown.isOf(document, manner)) {
       show(shown.with(document));
     } else if (document.size() <= AT_ONCE && pace.isQuick(manner, document.size())) {
       show(pace.measured(document, manner, Progress.NONE));

@@ -2,7 +2,6 @@ package dct.ui.document;
 
 import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
-import dct.core.geometry.Points;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -18,7 +17,7 @@ public final class History {
   private final Deque<Step> done = new ArrayDeque<>(); // the last first
   private final Deque<Step> undone = new ArrayDeque<>();
   private Document present;
-  private Optional<Points> saved; // nothing if no file holds any state
+  private Optional<Document> saved; // whose points a file holds; nothing if none does
   private ParityGoal savedWishes; // they have a file of their own
   private Optional<Result> savedResult;
   private Optional<Document> whole; // what the file holds, if it keeps everything
@@ -138,7 +137,7 @@ public final class History {
   /** Says of which state the points were saved. */
   public void markSaved(Document document) {
     isFileLost = false;
-    saved = Optional.of(document.points());
+    saved = Optional.of(document.with(Optional.empty()));
     whole = Optional.empty();
   }
 
@@ -170,9 +169,9 @@ public final class History {
     return isFileLost || isChanged() || hasUnsavedWishes() || hasUnsavedResult() || isTakenBack();
   }
 
-  /** Whether the points differ from the saved ones. */
+  /** Whether the points, or how they hang together, differ from the saved ones. */
   public boolean isChanged() {
-    return !saved.equals(Optional.of(present.points()));
+    return saved.map(Document::settled).filter(present.settled()::isDrawnAs).isEmpty();
   }
 
   /** Whether there are wishes that would be lost with the document. */

@@ -35,7 +35,7 @@ final class LivePicture {
     if (base == null || base.document().size() != document.size()) {
       return Optional.empty();
     }
-    if (base.isOf(document.points())) {
+    if (base.isOf(document)) {
       return Optional.of(base.with(document));
     }
     int other = base.document().points().onlyDifference(document.points());

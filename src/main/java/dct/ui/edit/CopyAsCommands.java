@@ -3,8 +3,10 @@ package dct.ui.edit;
 import dct.core.Decimals;
 import dct.core.Progress;
 import dct.core.geometry.Points;
+import dct.core.geometry.Rings;
 import dct.io.DataFile;
 import dct.io.FileEnding;
+import dct.io.format.CannotHold;
 import dct.io.format.Drawing;
 import dct.ui.canvas.CanvasPanel;
 import dct.ui.command.CommandRegistry;
@@ -18,6 +20,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Function;
 
 /**
@@ -72,11 +75,17 @@ public final class CopyAsCommands {
 
   private void copy(String format, Function<Drawing, String> write) {
     Document document = workbench.document();
-    Points points =
+    Drawing drawing =
         workbench.selection().isEmpty()
-            ? document.points()
-            : workbench.selection().of(document.points());
-    Drawing drawing = Drawing.of("", document.domain(), points);
+            ? document.drawing("", Optional.empty())
+            : Drawing.of("", document.domain(), workbench.selection().of(document.points()));
+    try {
+      drawing.requireRingsAlone();
+    } catch (CannotHold e) {
+      workbench.say("Nothing was copied: " + e.getMessage());
+      return;
+    }
+    Points points = drawing.points();
     Toolkit.getDefaultToolkit()
         .getSystemClipboard()
         .setContents(new RowsText(() -> write.apply(drawing)), null);
@@ -96,19 +105,36 @@ public final class CopyAsCommands {
 
   /** In Ipe y grows upwards; where it does not here, its sign is changed, which rounds nothing. */
   private String ipe(Drawing drawing) {
-    double sign = canvas.viewport().yUp() ? 1 : -1;
-    Points points = drawing.points();
     StringBuilder text = new StringBuilder("<ipeselection pos=\"0 0\">\n");
-    text.append(drawing.isRing() ? "<path stroke=\"black\">\n" : "");
-    for (int v = 0; v < points.size(); v++) {
-      text.append(drawing.isRing() ? "" : "<use name=\"mark/disk(sx)\" pos=\"");
-      Decimals.append(text, points.x(v));
-      text.append(' ');
-      Decimals.append(text, sign * points.y(v));
-      String vertex = v == 0 ? " m\n" : " l\n";
-      text.append(drawing.isRing() ? vertex : "\" size=\"normal\" stroke=\"black\"/>\n");
+    Points points = drawing.points();
+    if (drawing.outline().isPresent()) {
+      path(text, drawing.outline().get());
+    } else {
+      for (int v = 0; v < points.size(); v++) {
+        place(text.append("<use name=\"mark/disk(sx)\" pos=\""), points, v);
+        text.append("\" size=\"normal\" stroke=\"black\"/>\n");
+      }
     }
-    text.append(drawing.isRing() ? "h\n</path>\n" : "");
     return text.append("</ipeselection>\n").toString();
+  }
+
+  /** All rings as one path, so that what is filled has the holes. */
+  private void path(StringBuilder text, Rings rings) {
+    text.append("<path stroke=\"black\">\n");
+    for (int r = 0; r < rings.count(); r++) {
+      for (int k = 0; k < rings.size(r); k++) {
+        place(text, rings.points(), rings.vertex(r, k));
+        text.append(k == 0 ? " m\n" : " l\n");
+      }
+      text.append("h\n");
+    }
+    text.append("</path>\n");
+  }
+
+  private void place(StringBuilder text, Points points, int v) {
+    double sign = canvas.viewport().yUp() ? 1 : -1;
+    Decimals.append(text, points.x(v));
+    text.append(' ');
+    Decimals.append(text, sign * points.y(v));
   }
 }

@@ -56,10 +56,15 @@ public final class CrossingWork {
   public List<Remedy> remedies() {
     return List.of(
         new Remedy("Show Me", defect -> true, this::goTo),
+        new Remedy(UNTANGLE, d -> isOneRing() && !TouchingWork.isRepeated(d), defect -> untangle()),
         new Remedy(
-            UNTANGLE, defect -> defect.kind() != Defect.Kind.DUPLICATE, defect -> untangle()),
-        new Remedy(TouchingWork.SPLIT, TouchingWork::isRepeated, defect -> touching.split()),
-        new Remedy(TouchingWork.PART, TouchingWork::isTouch, defect -> touching.part()),
+            TouchingWork.SPLIT,
+            d -> isOneRing() && TouchingWork.isRepeated(d),
+            defect -> touching.split()),
+        new Remedy(
+            TouchingWork.PART,
+            d -> isOneRing() && TouchingWork.isTouch(d),
+            defect -> touching.part()),
         new Remedy(USE_AS_SITES, defect -> true, defect -> useAsSites()));
   }
 
@@ -78,8 +83,8 @@ public final class CrossingWork {
             "ctrl U",
             "Exchanges edges that cross until the polygon is simple; its vertices stay",
             this::untangle)
-        .enabledWhen(() -> !places().isEmpty());
-    touching.offer(commands, this::places);
+        .enabledWhen(() -> isOneRing() && !places().isEmpty());
+    touching.offer(commands, () -> isOneRing() ? places() : List.of());
     commands
         .add(
             USE_AS_SITES,
@@ -91,6 +96,11 @@ public final class CrossingWork {
 
   private Editor editor() {
     return workbench.editor(Domain.POLYGON);
+  }
+
+  /** Whether there is nothing but a polygon: only its edges are exchanged or parted. */
+  private boolean isOneRing() {
+    return editor().document().content() == Domain.POLYGON;
   }
 
   /** The defects of the polygon that have a place, if it is chosen. */
@@ -112,10 +122,17 @@ public final class CrossingWork {
     List<Defect> places = workbench.isDrawing() ? List.of() : places();
     return places.stream()
         .findFirst()
-        .map(first -> "Not simple: " + first.fact() + "; Edit ▸ " + GO + ", " + mending(first));
+        .map(first -> "Not simple: " + first.fact() + "; Edit ▸ " + GO + mending(first));
   }
 
-  private static String mending(Defect defect) {
+  private String mending(Defect defect) {
+    if (!isOneRing()) {
+      return "; " + defect.cure();
+    }
+    return ", " + ofOneRing(defect);
+  }
+
+  private static String ofOneRing(Defect defect) {
     if (TouchingWork.isRepeated(defect)) {
       return TouchingWork.SPLIT + ", " + TouchingWork.PART;
     }
@@ -166,13 +183,11 @@ public final class CrossingWork {
   /** The distance from the place of a defect to the nearest end of its edges elsewhere. */
   private double reach(Defect defect) {
     Points points = editor().document().points();
-    int n = points.size();
     double nearest = Double.POSITIVE_INFINITY;
-    for (int v : new int[] {defect.first(), defect.second()}) {
-      for (int end : new int[] {v % n, (v + 1) % n}) {
-        double distance = Math.hypot(points.x(end) - defect.x(), points.y(end) - defect.y());
-        nearest = distance > 0 ? Math.min(nearest, distance) : nearest;
-      }
+    int[] ends = {defect.first(), defect.firstEnd(), defect.second(), defect.secondEnd()};
+    for (int end : ends) {
+      double distance = Math.hypot(points.x(end) - defect.x(), points.y(end) - defect.y());
+      nearest = distance > 0 ? Math.min(nearest, distance) : nearest;
     }
     return nearest;
   }

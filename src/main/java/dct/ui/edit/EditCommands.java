@@ -1,10 +1,13 @@
 package dct.ui.edit;
 
 import dct.core.geometry.Points;
+import dct.core.triangulate.Domain;
 import dct.ui.command.Command;
 import dct.ui.command.CommandRegistry;
+import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.document.Layout;
 import dct.ui.workbench.Workbench;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -13,6 +16,7 @@ import java.util.function.Supplier;
 /** The commands that go back and forth in the history, or begin anew within it. */
 public final class EditCommands {
   private static final String CLEAR = "Clear Canvas";
+  private static final String NEW_HOLE = "New Hole";
 
   private final Workbench workbench;
 
@@ -48,12 +52,40 @@ public final class EditCommands {
   private void offer(CommandRegistry commands) {
     offerHistory(commands, workbench::active);
     commands
+        .add(
+            NEW_HOLE,
+            "H",
+            "Begins a hole in the polygon; its vertices are clicked like those of the polygon",
+            this::beginHole)
+        .enabledWhen(this::canHaveHole);
+    commands
         .add(CLEAR, "ctrl DELETE", "Removes all vertices", this::clear)
         .enabledWhen(() -> workbench.domain().isPresent());
   }
 
   private void onActive(Consumer<Editor> action) {
     workbench.active().ifPresent(action);
+  }
+
+  private boolean canHaveHole() {
+    return workbench.isChosen(Domain.POLYGON)
+        && openSize() != 1
+        && openSize() != 2
+        && workbench.document().size() > 2;
+  }
+
+  private int openSize() {
+    Document document = workbench.document();
+    return document.layout().openSize(document.size());
+  }
+
+  private void beginHole() {
+    Document document = workbench.document();
+    if (openSize() > 0) {
+      Layout with = document.layout().withHole(document.size());
+      workbench.perform(Edit.layout(NEW_HOLE, document, with));
+    }
+    workbench.chooseDraw();
   }
 
   private void clear() {

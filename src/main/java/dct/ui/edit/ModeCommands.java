@@ -43,7 +43,7 @@ public final class ModeCommands {
               KeyEvent.getKeyText(tool.key()),
               tool.description(),
               () -> workbench.choose(tool))
-          .enabledWhen(() -> workbench.domain().isPresent())
+          .enabledWhen(() -> workbench.domain().filter(tool::isFor).isPresent())
           .selectedWhen(() -> workbench.tool().filter(tool::equals).isPresent());
     }
   }

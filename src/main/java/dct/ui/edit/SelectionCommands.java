@@ -198,7 +198,8 @@ public final class SelectionCommands {
     }
     Document document = workbench.document();
     boolean atEnd = document.domain() == Domain.SITES || workbench.selection().isEmpty();
-    int first = atEnd ? document.size() : workbench.selection().last() + 1;
+    int next = document.layout().next(document.size());
+    int first = atEnd ? next : workbench.selection().last() + 1;
     Points aside = aside(document.points(), points, steps);
     workbench.chooseEdit();
     workbench.perform(BulkEdit.insert(what, document, first, aside, wishes));

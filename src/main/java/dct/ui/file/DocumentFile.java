@@ -20,6 +20,7 @@ import dct.problem.verify.Verdict;
 import dct.problem.verify.Verdict.Check;
 import dct.problem.verify.Verdict.Outcome;
 import dct.ui.document.Document;
+import dct.ui.document.Layout;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
 import dct.ui.document.ResultTitle;
@@ -37,10 +38,6 @@ public final class DocumentFile {
   private static final Pattern PACKED = Pattern.compile("(?i).*\\.gz");
 
   private static final String DEVICE = "it is a device or a pipe, which may never end";
-
-  private static final String REGION =
-      "it holds a region with holes, sites or fixed edges inside, which the window does not show;"
-          + " triangulate it by dct triangulate";
 
   private DocumentFile() {}
 
@@ -76,9 +73,6 @@ public final class DocumentFile {
       throw new BadInputException(
           file.toString(), 0, "there are no points in it; choose another file");
     }
-    if (read.domain() == Domain.REGION) {
-      throw new BadInputException(file.toString(), 0, REGION);
-    }
     return read(read, new Origin(file, stamp), progress);
   }
 
@@ -91,7 +85,7 @@ public final class DocumentFile {
     Optional<Verdict> verdict = read.verified(progress);
     Optional<Solution> solution = read.solution(progress);
     Points points = read.points();
-    Domain domain = read.domain();
+    Domain domain = read.domain().application();
     Points kept = domain == Domain.SITES ? Sites.of(points, progress).points() : points;
     int merged = points.size() - kept.size();
     List<String> remarks = new ArrayList<>(read.notes());
@@ -104,7 +98,8 @@ public final class DocumentFile {
     String remark = String.join("; ", remarks);
     Optional<Result> result =
         solution.filter(made -> !isAutomatic(made)).map(made -> result(domain, made));
-    Document document = new Document(domain, kept, wishes(read, kept.size()), result);
+    Layout layout = read.rings().map(Layout::of).orElse(Layout.PLAIN);
+    Document document = new Document(domain, kept, layout, wishes(read, kept.size()), result);
     boolean own = read.isOwn() && !PACKED.matcher(origin.name()).matches();
     return new Read(document, origin, own, read.yUp(), remark);
   }
@@ -148,6 +143,8 @@ public final class DocumentFile {
       }
       if (keepsAll(file)) {
         writeAll(file, document, progress);
+      } else if (document.content() == Domain.REGION) {
+        PointFile.write(file, document.rings(), progress);
       } else {
         PointFile.write(file, document.domain(), document.points(), progress);
       }
@@ -163,7 +160,7 @@ public final class DocumentFile {
     if (result.isPresent()) {
       ResultJson.write(file, result.get().solution(), document.wishes(), progress);
     } else {
-      ResultJson.write(file, document.domain(), document.points(), document.wishes(), progress);
+      ResultJson.write(file, document.drawing("", Optional.empty()), document.wishes(), progress);
     }
   }
 }

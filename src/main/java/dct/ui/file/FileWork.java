@@ -64,7 +64,7 @@ public final class FileWork {
   private void exportData(Editor editor) {
     Document document = editor.document();
     String name = PictureExport.fileName(editor.name());
-    Drawing drawing = new Drawing(name, document.domain(), document.points(), workbench.solution());
+    Drawing drawing = document.drawing(name, workbench.solution());
     DataExport.ask(window, drawing, name, workbench.jobs(), workbench::say);
   }
 

@@ -1,10 +1,14 @@
 package dct.ui.file;
 
+import dct.core.degree.ParityGoal;
+import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.FileNames;
+import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.format.Choice;
 import dct.ui.document.Document;
+import dct.ui.document.Layout;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -33,7 +37,7 @@ public final class Samples {
    */
   public static String title(String name) {
     String words =
-        name.replaceFirst("_(polygon|point)based\\.txt$", "")
+        name.replaceFirst("_(polygonbased|pointbased|region)\\.txt$", "")
             .replaceFirst("_(\\d+)_0*(\\d+)", "_$1.$2")
             .replace('_', ' ');
     return Character.toUpperCase(words.charAt(0)) + words.substring(1);
@@ -62,8 +66,10 @@ public final class Samples {
       if (in == null) {
         throw new IllegalStateException("the program lacks its sample " + name);
       }
-      return new Document(
-          domain(name), PointFile.read(name, in, Choice.NONE.as(domain(name))).points());
+      PointDocument read = PointFile.read(name, in, Choice.NONE.otherwise(domain(name)));
+      Layout layout = read.rings().map(Layout::of).orElse(Layout.PLAIN);
+      Points points = read.points();
+      return new Document(domain(name), points, layout, ParityGoal.allEven(points.size()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -10,6 +10,7 @@ import dct.ui.dialog.Ask;
 import dct.ui.dialog.Chooser;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
+import dct.ui.document.Layout;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
 import dct.ui.job.Jobs;
@@ -80,14 +81,14 @@ public final class Saving {
   void saveAs(Asked by, Editor editor, Runnable then) {
     Path suggested = suggestion(editor);
     ask(by, Unsaved.needsAll(editor) ? FileEnding.JSON.insteadOf(suggested) : suggested)
-        .map(typed -> FileNames.forSaving(typed, editor.domain()))
+        .map(typed -> FileNames.forSaving(typed, editor.document().content()))
         .ifPresent(file -> replace(by, editor, file, then));
   }
 
   /** Asks where to save all of a document, and saves it. */
   void saveWholeAs(Asked by, Editor editor, Runnable then) {
     ask(by, FileEnding.JSON.insteadOf(suggestion(editor)))
-        .map(typed -> forWhole(typed, editor.domain()))
+        .map(typed -> forWhole(typed, editor.document().content()))
         .ifPresent(file -> replace(by, editor, file, then));
   }
 
@@ -138,7 +139,8 @@ public final class Saving {
     boolean named = FileNames.domain(Path.of(editor.name())).isPresent();
     int dot = editor.name().indexOf('.', 1);
     String stem = dot > 0 ? editor.name().substring(0, dot) : "untitled";
-    String name = named ? editor.name() : stem + FileNames.suffix(editor.domain()) + ".txt";
+    String name =
+        named ? editor.name() : stem + FileNames.suffix(editor.document().content()) + ".txt";
     return editor.origin().map(Origin::file).orElseGet(() -> inFolder(name));
   }
 
@@ -212,7 +214,11 @@ public final class Saving {
    */
   void saveCopy(Asked by, Result result, String name) {
     Instance of = result.solution().instance();
-    Document document = new Document(of.domain(), of.points(), of.wishes(), Optional.of(result));
+    Layout layout =
+        of instanceof Instance.OfRegion region ? Layout.of(region.region().rings()) : Layout.PLAIN;
+    Document document =
+        new Document(
+            of.domain().application(), of.points(), layout, of.wishes(), Optional.of(result));
     String suggested = PictureExport.fileName(PictureExport.fileName(name) + " " + result.title());
     ask(by, inFolder(suggested + FileEnding.JSON.dotted()))
         .map(typed -> forWhole(typed, of.domain()))

@@ -65,7 +65,7 @@ public final class CheckWork {
     return switch (defect.kind()) {
       case TOO_FEW, COLLINEAR, FEW_SITES, SITES_ON_ONE_LINE -> new Report(fault, Optional.empty());
       default -> {
-        int found = Crossings.of(document.points(), progress).size();
+        int found = Crossings.of(document.rings(), progress).size();
         String more = found > 1 ? " " + found + " such places are marked on the canvas." : "";
         yield new Report(fault + more, Optional.of(defect));
       }

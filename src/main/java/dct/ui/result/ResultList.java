@@ -1,7 +1,7 @@
 package dct.ui.result;
 
 import dct.core.degree.FlipResult;
-import dct.core.geometry.Points;
+import dct.problem.Instance;
 import dct.problem.Solution;
 import dct.ui.document.Document;
 import dct.ui.document.Editor;
@@ -21,20 +21,24 @@ public final class ResultList {
   /** The results, in linear time. */
   public List<Result> of(Editor editor) {
     Document document = editor.document();
-    if (!editor.shown().document().points().equals(document.points())) {
+    if (!editor.shown().document().isDrawnAs(document)) {
       return List.of(); // they are still being looked at
     }
     delaunay = editor.shown().delaunay().map(this::asResult);
-    // Of sites at one place only one is triangulated.
-    Points points =
-        delaunay.map(result -> result.solution().instance().points()).orElseGet(document::points);
     List<Result> results = new ArrayList<>();
     delaunay.ifPresent(results::add);
     editor.history().made().stream()
-        .filter(result -> result.solution().instance().points().equals(points))
+        .filter(result -> isOf(result.solution().instance(), document))
         .forEach(result -> add(results, result));
     document.result().ifPresent(present -> add(results, present));
     return results;
+  }
+
+  /** Of sites at one place only one is triangulated. */
+  private boolean isOf(Instance instance, Document document) {
+    return delaunay
+        .map(result -> result.solution().instance().points().equals(instance.points()))
+        .orElseGet(() -> document.isOf(instance));
   }
 
   /** The one from before, if it is the same. */

@@ -7,6 +7,7 @@ import dct.core.triangulate.Domain;
 import dct.io.FileStamp;
 import dct.problem.verify.WishLetters;
 import dct.ui.document.Document;
+import dct.ui.document.Layout;
 import dct.ui.document.Origin;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -31,8 +32,13 @@ import java.util.Optional;
  * step 2 0 1
  * 300 400 e
  * step 7 1 0
+ * rings 0-43 44-49
+ * fixed 12-47
  * end
  * </pre>
+ *
+ * <p>Where a polygon has holes, sites inside or fixed edges, a step ends with its {@link
+ * LayoutText}.
  *
  * <p>A step that is not whole does not count: it was being written when the program was killed.
  */
@@ -104,6 +110,9 @@ final class JournalText {
     if (text.length() == 0) {
       change(text, 0, 0, 0);
     }
+    if (!after.layout().equals(Layout.PLAIN) || !before.layout().equals(Layout.PLAIN)) {
+      text.append(LayoutText.of(after));
+    }
     return text.append(END + "\n").toString();
   }
 
@@ -172,6 +181,7 @@ final class JournalText {
     private final BufferedReader in;
     private final Map<String, String> head = new HashMap<>();
     private List<String> vertices = new ArrayList<>(); // as they stand in their lines
+    private List<String> laid = List.of(); // the lines of the layout
     private String line;
     private int steps;
     private Optional<Integer> view = Optional.empty();
@@ -241,7 +251,17 @@ final class JournalText {
           return false;
         }
         words = line.split(" ", 4);
-      } while (!END.equals(line));
+      } while (STEP.equals(words[0]));
+      List<String> said = new ArrayList<>();
+      while (!END.equals(line)) {
+        said.add(line);
+        if (next() == null) {
+          return false;
+        }
+      }
+      if (!said.isEmpty()) {
+        laid = said;
+      }
       changed.addAll(vertices.subList(done, vertices.size()));
       vertices = changed;
       steps++;
@@ -292,7 +312,8 @@ final class JournalText {
           WishLetters.parse(letters.toString())
               .filter(goal -> goal.size() == n)
               .orElseThrow(() -> new IllegalArgumentException("a vertex has no wish"));
-      return new Document(domain, Points.of(x, y), wishes);
+      Points points = Points.of(x, y);
+      return new Document(domain, points, LayoutText.parse(laid, points), wishes);
     }
 
     private Optional<Origin> origin() {

@@ -59,7 +59,7 @@ public final class Orphan {
     Optional<Solution> solution =
         PointFile.read(JournalFile.result(file), Progress.NONE).solution(Progress.NONE);
     return solution
-        .filter(made -> made.instance().points().equals(content.document().points()))
+        .filter(made -> content.document().isOf(made.instance()))
         .map(made -> Result.of(view, content.title(), made));
   }
 

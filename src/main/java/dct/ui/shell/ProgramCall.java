@@ -49,15 +49,9 @@ public record ProgramCall(List<String> words) {
     return of("check", name(file), "--as", domain.word());
   }
 
-  /** A file, triangulated by a method. */
-  public static ProgramCall triangulate(Path file, Method method) {
-    return of(
-        "triangulate",
-        name(file),
-        "--as",
-        method.application().word(),
-        "--algorithm",
-        method.word());
+  /** A file, taken for this, triangulated by a method. */
+  public static ProgramCall triangulate(Path file, Domain as, Method method) {
+    return of("triangulate", name(file), "--as", as.word(), "--algorithm", method.word());
   }
 
   /** This call with Scan-Flip on what the method made. */

@@ -83,7 +83,7 @@ public final class RepeatableCall {
             .result()
             .flatMap(made -> made.solution().method())
             .orElse(Method.byDefault(editor.domain()));
-    return ProgramCall.triangulate(savedFile(editor), method)
+    return ProgramCall.triangulate(savedFile(editor), editor.document().content(), method)
         .optimize("even", limits)
         .prefer(ofNoFile(preferred));
   }
@@ -96,11 +96,11 @@ public final class RepeatableCall {
    */
   public ProgramCall call(Progress progress) {
     if (shown.isEmpty()) {
-      return ProgramCall.check(file, document.domain());
+      return ProgramCall.check(file, document.content());
     }
     Solution solution = shown.get();
     Method method = solution.method().orElseThrow(RepeatableCall::foreign);
-    ProgramCall call = ProgramCall.triangulate(file, method);
+    ProgramCall call = ProgramCall.triangulate(file, document.content(), method);
     if (solution.optimum().isPresent()) {
       return searched(call, solution, solution.optimum().get(), progress);
     }

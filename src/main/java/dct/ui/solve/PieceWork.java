@@ -2,12 +2,14 @@ package dct.ui.solve;
 
 import dct.core.Progress;
 import dct.core.degree.ConvexPieces;
+import dct.core.geometry.Region;
 import dct.core.geometry.SimplePolygon;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.MonotonePartition;
 import dct.core.triangulate.Partition;
 import dct.render.Scene;
 import dct.ui.command.CommandRegistry;
+import dct.ui.document.Document;
 import dct.ui.document.Editor;
 import dct.ui.workbench.Workbench;
 import java.util.function.Consumer;
@@ -39,10 +41,10 @@ public final class PieceWork {
       this.description = description;
     }
 
-    Partition cut(SimplePolygon polygon, Progress progress) {
+    Partition cut(Region region, Progress progress) {
       return switch (this) {
-        case CONVEX -> ConvexPieces.of(polygon, progress);
-        case MONOTONE -> MonotonePartition.partition(polygon, progress);
+        case CONVEX -> ConvexPieces.of(region, progress);
+        case MONOTONE -> MonotonePartition.partition(region, progress);
       };
     }
   }
@@ -68,13 +70,19 @@ public final class PieceWork {
 
   private void cut(Kind kind) {
     Editor editor = workbench.editor(Domain.POLYGON);
-    var points = editor.document().points();
+    Document document = editor.document();
     String name = editor.name();
     workbench
         .jobs()
         .submit(
             kind.title,
-            progress -> Scene.of(kind.cut(SimplePolygon.of(points, progress), progress)),
+            progress -> Scene.of(kind.cut(region(document, progress), progress)),
             scene -> show.accept(new Pieces(kind.title, name, scene)));
+  }
+
+  private static Region region(Document document, Progress progress) {
+    return document.content() == Domain.REGION
+        ? Region.of(document.rings(), progress)
+        : Region.of(SimplePolygon.of(document.points(), progress));
   }
 }

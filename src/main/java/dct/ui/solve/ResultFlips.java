@@ -55,7 +55,7 @@ public final class ResultFlips implements FlipSource, ToolContext {
       Supplier<Optional<Path>> folder) {
     this.view = view;
     this.current = current;
-    editor = workbench.editor(domain().orElse(Domain.POLYGON));
+    editor = workbench.editor(domain().map(Domain::application).orElse(Domain.POLYGON));
     desk = new FlipDesk(this, workbench.jobs(), this::say);
     tool = new FlipTool(desk);
     commands =
@@ -128,14 +128,12 @@ public final class ResultFlips implements FlipSource, ToolContext {
 
   @Override
   public Optional<Result> result() {
-    boolean same = current.getAsBoolean() && isOf(editor.document().points());
+    boolean same = current.getAsBoolean() && isOf(editor.document());
     return same ? view.result() : Optional.empty();
   }
 
-  private boolean isOf(Points points) {
-    return view.result()
-        .filter(result -> result.solution().instance().points().equals(points))
-        .isPresent();
+  private boolean isOf(Document document) {
+    return view.result().filter(result -> document.isOf(result.solution().instance())).isPresent();
   }
 
   @Override

@@ -45,17 +45,26 @@ public final class DrawTool implements Tool {
 
   @Override
   public String hint(ToolContext context) {
-    int n = context.document().size();
+    Document document = context.document();
+    int next = document.layout().next(document.size());
     String where = hover == null ? "" : target(context, hover).words();
-    if (context.document().domain() == Domain.SITES) {
-      return "Click to add site v" + n + where + "; Enter ends";
+    if (document.domain() == Domain.SITES) {
+      return "Click to add site v" + next + where + "; Enter ends";
     }
+    String first = "v" + first(document);
     if (hover != null && closes(context, hover)) {
-      return "Click v0 to end the drawing";
+      return "Click " + first + " to end the drawing";
     }
-    return n < 3
-        ? "Click to add vertex v" + n + where
-        : "Click to add v" + n + where + "; click v0, double-click or Enter to end";
+    String of = document.layout().isHole() ? " of the hole" : "";
+    return count(document) < 3
+        ? "Click to add vertex v" + next + of + where
+        : "Click to add v"
+            + next
+            + of
+            + where
+            + "; click "
+            + first
+            + ", double-click or Enter to end";
   }
 
   @Override
@@ -81,9 +90,19 @@ public final class DrawTool implements Tool {
     }
   }
 
+  /** The first vertex of the ring that is drawn, or −1. */
+  private static int first(Document document) {
+    return document.layout().first(document.size());
+  }
+
+  /** How many vertices the ring has that is drawn. */
+  private static int count(Document document) {
+    return document.layout().openSize(document.size());
+  }
+
   /** The second click of a double click is no vertex. */
   private void clickedAgain(ToolContext context) {
-    if (context.document().domain() == Domain.POLYGON && context.document().size() > 2) {
+    if (context.document().domain() == Domain.POLYGON && count(context.document()) > 2) {
       end(context);
     }
   }
@@ -101,19 +120,21 @@ public final class DrawTool implements Tool {
   /** Where a click adds a vertex. */
   private static Target target(ToolContext context, Spot spot) {
     Points points = context.document().points();
-    int last = points.size() - 1;
+    int last = context.document().layout().last(points.size());
     Optional<Place> origin =
         last < 0 ? Optional.empty() : Optional.of(new Place(points.x(last), points.y(last)));
     return Snapping.of(context, spot, origin, v -> false);
   }
 
-  /** Whether this place is that of the first vertex of a polygon, or snaps to it. */
+  /** Whether this place is that of the first vertex of the ring that is drawn, or snaps to it. */
   private static boolean closes(ToolContext context, Spot spot) {
     Document document = context.document();
+    Points points = document.points();
+    int first = first(document);
     return document.domain() == Domain.POLYGON
-        && document.size() > 2
-        && (Pick.distance(document.points(), context.viewport(), 0, spot) <= CLOSING_REACH
-            || target(context, spot).isAt(document.points().x(0), document.points().y(0)));
+        && count(document) > 2
+        && (Pick.distance(points, context.viewport(), first, spot) <= CLOSING_REACH
+            || target(context, spot).isAt(points.x(first), points.y(first)));
   }
 
   private void end(ToolContext context) {
@@ -135,18 +156,20 @@ public final class DrawTool implements Tool {
   }
 
   private void enter(ToolContext context) {
-    int n = context.document().size();
-    if (context.document().domain() == Domain.POLYGON && n < 3) {
-      context.say("A polygon has three vertices or more; Esc leaves the drawing as it is");
+    Document document = context.document();
+    if (document.domain() == Domain.POLYGON && count(document) < 3) {
+      String what = document.layout().isHole() ? "A hole" : "A polygon";
+      context.say(what + " has three vertices or more; Esc leaves the drawing as it is");
     } else {
       end(context);
     }
   }
 
   private static void takeBack(ToolContext context) {
-    int n = context.document().size();
-    if (n > 0) {
-      context.perform(Edit.delete(context.document(), n - 1));
+    Document document = context.document();
+    int last = document.layout().last(document.size());
+    if (last >= 0) {
+      context.perform(Edit.delete(document, last));
     } else {
       context.say("There is no vertex to take back");
     }
@@ -158,18 +181,20 @@ public final class DrawTool implements Tool {
     if (hover == null) {
       return;
     }
-    Points points = context.document().points();
+    Document document = context.document();
+    Points points = document.points();
     Viewport view = context.viewport();
+    int first = first(document);
     if (closes(context, hover)) {
-      Pick.mark(pen, view, points.x(0), points.y(0));
+      Pick.mark(pen, view, points.x(first), points.y(first));
       return;
     }
     Target target = target(context, hover);
-    if (context.document().domain() == Domain.POLYGON && points.size() > 0) {
+    if (document.domain() == Domain.POLYGON && first >= 0) {
       pen.style(Stroke.solid(Ink.PROPOSED, 1.4));
-      edge(view, points, points.size() - 1, target, pen);
+      edge(view, points, document.layout().last(points.size()), target, pen);
       pen.style(Stroke.dashed(Ink.PROPOSED, 1.4));
-      edge(view, points, 0, target, pen);
+      edge(view, points, first, target, pen);
     }
     target.mark(pen, view);
   }

@@ -20,6 +20,13 @@ final class Pick {
 
   private Pick() {}
 
+  /** Which edges may be taken. */
+  @FunctionalInterface
+  interface EdgeTest {
+    /** Whether the edge with these ends may be. */
+    boolean test(int from, int to);
+  }
+
   /** The vertex nearest to the spot, if it is within reach; −1 if none is. */
   static int vertex(Points points, Viewport view, Spot spot) {
     return vertex(points, view, spot, v -> true);
@@ -48,13 +55,8 @@ final class Pick {
         view.screenX(points.x(v)) - spot.screenX(), view.screenY(points.y(v)) - spot.screenY());
   }
 
-  /** The point nearest to the spot on any edge shown; nothing if there are no edges. */
-  static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot) {
-    return edge(shown, view, spot, v -> true);
-  }
-
-  /** The same on an edge both of whose ends may be taken. */
-  static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot, IntPredicate allowed) {
+  /** The point nearest to the spot on an edge shown that may be taken; nothing without any. */
+  static Optional<EdgePoint> edge(Analysis shown, Viewport view, Spot spot, EdgeTest allowed) {
     Search search = new Search(shown.document().points(), view, spot, allowed);
     shown.scene().visitNear(view, spot.screenX(), spot.screenY(), search);
     return search.found();
@@ -71,13 +73,13 @@ final class Pick {
     private final Points points;
     private final Viewport view;
     private final Spot spot;
-    private final IntPredicate allowed;
+    private final EdgeTest allowed;
     private double least = Double.POSITIVE_INFINITY;
     private int from = -1;
     private int to;
     private double t; // where on the edge
 
-    Search(Points points, Viewport view, Spot spot, IntPredicate allowed) {
+    Search(Points points, Viewport view, Spot spot, EdgeTest allowed) {
       this.points = points;
       this.view = view;
       this.spot = spot;
@@ -86,7 +88,7 @@ final class Pick {
 
     @Override
     public double visit(int a, int b) {
-      return allowed.test(a) && allowed.test(b) ? measure(a, b) : least + TIE;
+      return allowed.test(a, b) ? measure(a, b) : least + TIE;
     }
 
     private double measure(int a, int b) {

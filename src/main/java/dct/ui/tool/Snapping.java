@@ -81,7 +81,7 @@ final class Snapping {
     Optional<Target> crossing = new NearCrossing(shown, view, spot, moving.negate()).ofEdges();
     return crossing.or(
         () ->
-            Pick.edge(shown, view, spot, moving.negate())
+            Pick.edge(shown, view, spot, (a, b) -> !moving.test(a) && !moving.test(b))
                 .filter(edge -> edge.distance(view, spot) <= Pick.REACH)
                 .map(edge -> new Target(edge.x(), edge.y(), "on " + edge.name())));
   }

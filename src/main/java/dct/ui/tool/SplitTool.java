@@ -80,23 +80,24 @@ public final class SplitTool implements Tool {
       context.say("v" + there + " is already there; click farther from it, or zoom in");
       return;
     }
-    int number = number(document, place);
-    context.perform(Edit.split(number, place.x(), place.y()));
+    Edit split = Edit.split(document, place.from(), place.to(), place.x(), place.y());
+    context.perform(split);
     if (!place.exact()) {
+      int number = context.document().vertexAt(place.x(), place.y());
       context.say("v" + number + " is a rounding away from the edge: no number is nearer to it");
     }
-  }
-
-  /** In a polygon the new vertex comes between the ends of the edge; a new site comes last. */
-  private static int number(Document document, EdgePoint edge) {
-    return document.domain() == Domain.POLYGON ? edge.from() + 1 : document.size();
   }
 
   private Optional<EdgePoint> target(ToolContext context) {
     // While a large document is being analysed, the edges shown are those of an older one.
     return hover == null || !context.shown().document().equals(context.document())
         ? Optional.empty()
-        : Pick.edge(context.shown(), context.viewport(), hover);
+        : Pick.edge(context.shown(), context.viewport(), hover, edges(context.document()));
+  }
+
+  /** The edges that can be split: of a polygon those of its rings, and the fixed ones. */
+  private static Pick.EdgeTest edges(Document document) {
+    return document.domain() == Domain.SITES ? (u, v) -> true : document.rings()::isEdge;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package dct.ui.tool;
 
+import dct.core.triangulate.Domain;
 import dct.render.Pen;
 import java.awt.Cursor;
 import java.awt.event.KeyEvent;
@@ -19,6 +20,11 @@ public interface Tool {
 
   /** The key that chooses it, one of {@link KeyEvent}'s. */
   int key();
+
+  /** Whether this application has a use for it. */
+  default boolean isFor(Domain application) {
+    return true;
+  }
 
   /** What the mouse pointer looks like. */
   default Cursor cursor() {

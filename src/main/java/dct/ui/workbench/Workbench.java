@@ -15,7 +15,9 @@ import dct.ui.job.Jobs;
 import dct.ui.tool.DeleteTool;
 import dct.ui.tool.DrawTool;
 import dct.ui.tool.EditTool;
+import dct.ui.tool.FixTool;
 import dct.ui.tool.FlipTool;
+import dct.ui.tool.SiteTool;
 import dct.ui.tool.Snap;
 import dct.ui.tool.SplitTool;
 import dct.ui.tool.Tool;
@@ -41,6 +43,8 @@ public final class Workbench implements ToolContext {
   private final Tool draw = new DrawTool();
   private final Tool edit = new EditTool();
   private final Tool wish = new WishTool();
+  private final Tool site = new SiteTool();
+  private final Tool fix = new FixTool();
   private boolean showsBound;
   private final FlipDesk flips;
   private final Tool flip;
@@ -96,6 +100,9 @@ public final class Workbench implements ToolContext {
     if (domain.filter(chosen::equals).isEmpty()) {
       leaveTool();
       domain = Optional.of(chosen);
+      if (!tool.isFor(chosen)) {
+        choose(edit);
+      }
       changed();
     }
   }
@@ -122,7 +129,7 @@ public final class Workbench implements ToolContext {
 
   /** All tools, in the order of the menu. */
   public List<Tool> tools() {
-    return Stream.concat(boxes.stream(), Stream.of(wish, flip)).toList();
+    return Stream.concat(boxes.stream(), Stream.of(site, fix, wish, flip)).toList();
   }
 
   /** The chosen tool, in an application. */
@@ -198,7 +205,7 @@ public final class Workbench implements ToolContext {
   /** What the canvas shows, if that is a triangulation of the points as they are in the picture. */
   public Optional<Solution> inCanvas() {
     return active()
-        .filter(e -> e.shown().document().points().equals(e.visible().points()))
+        .filter(e -> e.shown().document().isDrawnAs(e.visible()))
         .flatMap(e -> onTheWay(e).or(() -> e.shown().solution()));
   }
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
  *
  * <pre>
  * Points bowTie = Points.ofPairs(0, 0, 10, 10, 10, 0, 0, 10);
- * Defect crossing = Crossings.of(bowTie, Progress.NONE).get(0);
+ * Defect crossing = Crossings.of(Rings.ofChain(bowTie), Progress.NONE).get(0);
  * crossing.first();  // 0, the edge v0–v1
  * crossing.second(); // 2, the edge v2–v3
  * crossing.x();      // 5.0
@@ -26,7 +26,7 @@ class CrossingsTest {
     // A line through three teeth.
     Points points =
         Points.ofPairs(0, 5, 70, 5, 70, 20, 60, 0, 50, 20, 40, 0, 30, 20, 20, 0, 10, 20);
-    assertThat(Crossings.of(points, Progress.NONE))
+    assertThat(Crossings.of(Rings.ofChain(points), Progress.NONE))
         .hasSize(6)
         .allSatisfy(crossing -> assertThat(crossing.first()).isZero())
         .allSatisfy(crossing -> assertThat(crossing.y()).isEqualTo(5));
@@ -34,7 +34,8 @@ class CrossingsTest {
 
   @Test
   void theCrossingOfABowTieIsInItsMiddle() {
-    assertThat(Crossings.of(Points.ofPairs(0, 0, 10, 10, 10, 0, 0, 10), Progress.NONE))
+    assertThat(
+            Crossings.of(Rings.ofChain(Points.ofPairs(0, 0, 10, 10, 10, 0, 0, 10)), Progress.NONE))
         .containsExactly(new Defect(Defect.Kind.CROSSING, 0, 2, 5, 5, 4));
   }
 
@@ -44,7 +45,7 @@ class CrossingsTest {
       Random random = new Random(seed);
       double[] pairs = random.doubles(2L * (3 + random.nextInt(6)), 0, 100).toArray();
       Points points = Points.ofPairs(pairs);
-      assertThat(Crossings.of(points, Progress.NONE).isEmpty())
+      assertThat(Crossings.of(Rings.ofChain(points), Progress.NONE).isEmpty())
           .as("seed %d", seed)
           .isEqualTo(SimplicityCheck.firstDefect(points, Progress.NONE).isEmpty());
     }
@@ -65,7 +66,7 @@ class CrossingsTest {
 
   private static void checkBowTie(Points bowTie, double x, double y) {
     Defect expected = new Defect(Defect.Kind.CROSSING, 0, 2, x, y, 4);
-    assertThat(Crossings.of(bowTie, Progress.NONE)).containsExactly(expected);
+    assertThat(Crossings.of(Rings.ofChain(bowTie), Progress.NONE)).containsExactly(expected);
     assertThat(SimplicityCheck.firstDefect(bowTie, Progress.NONE)).contains(expected);
   }
 
@@ -83,7 +84,7 @@ class CrossingsTest {
       }
       Points p =
           Points.of(new double[] {c[0], c[2], c[4], c[6]}, new double[] {c[1], c[3], c[5], c[7]});
-      for (Defect d : Crossings.of(p, Progress.NONE)) {
+      for (Defect d : Crossings.of(Rings.ofChain(p), Progress.NONE)) {
         int a = d.first();
         int b = d.second();
         assertNearest(d.x(), coordinate(p.xs(), p, a, b), seed);

@@ -10,8 +10,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class HistoryTest {
+  private static final int STEPS = 400;
+
   private final History history = new History(Document.empty(Domain.SITES));
 
   @Test
@@ -24,7 +28,7 @@ class HistoryTest {
     List<Edit> edits =
         List.of(
             Edit.draw(document, 1, 6),
-            Edit.split(1, 4, 0),
+            Edit.split(document, 0, 1, 4, 0),
             Edit.delete(document, 1),
             Edit.move(document, 2, 8, 8),
             Edit.wish(document, 2, Wish.ANY),
@@ -48,22 +52,26 @@ class HistoryTest {
             "Clear Canvas");
   }
 
-  @Test
-  void undoAndRedoWalkThroughAllStates() {
+  @ParameterizedTest
+  @EnumSource(
+      value = Domain.class,
+      names = {"POLYGON", "SITES"})
+  void undoAndRedoWalkThroughAllStates(Domain domain) {
     long seed = 7;
     Random random = new Random(seed);
+    History history = new History(Document.empty(domain));
     List<Document> states = new ArrayList<>(List.of(history.present()));
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < STEPS; i++) {
       history.perform(randomEdit(random, history.present()));
       states.add(history.present());
     }
-    for (int i = 59; i >= 0; i--) {
+    for (int i = STEPS - 1; i >= 0; i--) {
       history.undo();
       assertThat(history.present()).as("seed %d, state %d", seed, i).isEqualTo(states.get(i));
     }
     history.undo();
     assertThat(history.present()).isEqualTo(states.get(0));
-    for (int i = 1; i <= 60; i++) {
+    for (int i = 1; i <= STEPS; i++) {
       history.redo();
       assertThat(history.present()).as("seed %d, state %d", seed, i).isEqualTo(states.get(i));
     }
@@ -73,9 +81,16 @@ class HistoryTest {
     int n = document.size();
     double x = random.nextInt(100);
     double y = random.nextInt(100);
-    return switch (n < 3 ? 0 : random.nextInt(5)) {
+    int v = n == 0 ? 0 : random.nextInt(n);
+    int w = (v + 1) % Math.max(1, n);
+    int kinds = document.domain() == Domain.SITES ? 6 : 9;
+    return switch (n < 3 ? 0 : random.nextInt(kinds)) {
       case 0 -> Edit.draw(document, x, y);
-      case 1 -> Edit.split(random.nextInt(n), x, y);
+      case 1 -> Edit.split(document, v, w, x, y);
+      case 5 -> BulkEdit.delete("Delete", document, Selection.of(v, w));
+      case 6 -> Edit.layout("New Hole", document, document.layout().withHole(n));
+      case 7 -> Edit.site(document, x, y);
+      case 8 -> fixed(document, v, random.nextInt(n));
       case 2 -> Edit.delete(document, random.nextInt(n));
       case 3 ->
           Edit.wish(document, random.nextInt(n), List.of(Wish.values()).get(random.nextInt(3)));
@@ -83,12 +98,19 @@ class HistoryTest {
     };
   }
 
+  private static Edit fixed(Document document, int u, int v) {
+    return u == v || (document.rings().isEdge(u, v) && !document.rings().isFixed(u, v))
+        ? Edit.wish(document, u, Wish.ANY)
+        : Edit.layout("Fix", document, document.layout().toggled(u, v, document.size()));
+  }
+
   @Test
   void aWishStaysWithItsVertex() {
     history.perform(Edit.draw(history.present(), 0, 0));
     history.perform(Edit.draw(history.present(), 9, 0));
     history.perform(Edit.wish(history.present(), 1, Wish.ODD));
-    history.perform(Edit.split(1, 4, 0));
+    Points four = Points.ofPairs(4, 0);
+    history.perform(BulkEdit.insert("Paste", history.present(), 1, four, ParityGoal.allEven(1)));
     assertThat(wishes()).isEqualTo(ParityGoal.of(Wish.EVEN, Wish.EVEN, Wish.ODD));
     history.perform(Edit.delete(history.present(), 0));
     history.perform(Edit.move(history.present(), 1, 8, 8));

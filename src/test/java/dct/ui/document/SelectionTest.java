@@ -102,7 +102,8 @@ class SelectionTest {
     assertThat(editor.selection()).isEqualTo(Selection.of(1, 4));
     editor.perform(Edit.move(editor.document(), 3, 6, 6));
     assertThat(editor.selection()).isEqualTo(Selection.of(1, 4));
-    editor.perform(Edit.split(1, 9, 4));
+    Points nine = Points.ofPairs(9, 4);
+    editor.perform(BulkEdit.insert("Paste", editor.document(), 1, nine, ParityGoal.allEven(1)));
     assertThat(editor.selection()).isEqualTo(Selection.of(2, 5));
     editor.perform(BulkEdit.delete("Delete", editor.document(), Selection.of(0, 1)));
     assertThat(editor.selection()).isEqualTo(Selection.of(0, 3));

@@ -74,7 +74,8 @@ class WholeHistoryTest {
     int v = random.nextInt(n);
     return switch (random.nextInt(10)) {
       case 0 -> n < 16 ? Edit.draw(document, place(), place()) : Edit.delete(document, v);
-      case 1 -> n > 5 ? Edit.delete(document, v) : Edit.split(v, place(), place());
+      case 1 ->
+          n > 5 ? Edit.delete(document, v) : Edit.split(document, v, (v + 1) % n, place(), place());
       case 2 -> Edit.move(document, v, place(), place());
       case 3 -> Edit.wish(document, v, List.of(Wish.values()).get(random.nextInt(3)));
       case 4 -> Edit.result("None", document, Optional.empty());

@@ -14,6 +14,7 @@ import dct.ui.document.BulkEdit;
 import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
+import dct.ui.document.Layout;
 import dct.ui.document.Origin;
 import dct.ui.document.Result;
 import dct.ui.document.Selection;
@@ -93,15 +94,18 @@ class JournalTest {
   @Test
   void everyKindOfEditComesBack() throws Exception {
     Random random = new Random(3);
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 150; i++) {
       Document document = editor.document();
       int n = document.size();
       int v = n == 0 ? 0 : random.nextInt(n);
       double x = random.nextDouble() * 1e-7;
       perform(
-          switch (n < 3 ? 0 : random.nextInt(6)) {
+          switch (n < 3 ? 0 : random.nextInt(9)) {
             case 0 -> Edit.draw(document, x, i / 3.0);
-            case 1 -> Edit.split(v, x, -i);
+            case 1 -> Edit.split(document, v, (v + 1) % n, x, -i);
+            case 6 -> Edit.layout("New Hole", document, document.layout().withHole(n));
+            case 7 -> Edit.site(document, x, i);
+            case 8 -> Edit.layout("Fix", document, fixed(document, v, random.nextInt(n)));
             case 2 -> Edit.delete(document, v);
             case 3 -> Edit.move(document, v, 1e300, x);
             case 4 -> Edit.wish(document, v, i % 2 == 0 ? Wish.ANY : Wish.ODD);
@@ -115,6 +119,12 @@ class JournalTest {
         assertThat(back()).as("undone " + i).isEqualTo(editor.document());
       }
     }
+  }
+
+  private static Layout fixed(Document document, int u, int v) {
+    return u == v || document.rings().isEdge(u, v)
+        ? document.layout()
+        : document.layout().toggled(u, v, document.size());
   }
 
   @Test
