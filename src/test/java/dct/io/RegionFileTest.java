@@ -186,7 +186,7 @@ class RegionFileTest {
         "0 0/9 0/9 9/hole/4 1/5 1/5 -2 | in:",
         "0 0/9 0/9 9/hole/4 0/5 1/5 2 | in:5: vertex v3 touches edge v0–v1 at (4, 0); move it off",
         "0 0/9 0/9 9/sites/20 20 | in:5: site v3 lies outside of the region, (20, 20)",
-        "0 0/9 0/9 9/hole/20 20/21 20/21 21 | in:7: the hole with vertex v5 lies outside",
+        "0 0/9 0/9 9/hole/20 20/21 20/21 21 | in:7: vertex v5 of a hole lies outside",
         "0 0/9 0/9 9/hole/4 1/5 1 | in:5: the hole at vertex v3 has fewer than three vertices",
         "0 0/9 0/9 9/sites/4 1/4 1 | in:6: vertices v3 and v4 are both at (4, 1); remove one",
         "0 0/9 0/9 9/fixed 0 3 | in:4: there is no vertex v3; number them from 0 to 2",

@@ -43,6 +43,7 @@ class AccessibleTreeTest extends WindowTest {
           "Search Options…",
           "Point Sites…",
           "Polygons…",
+          "Regions with Holes…",
           "Snap Settings…",
           "Compare Results…",
           "Table of Results",
@@ -62,7 +63,7 @@ class AccessibleTreeTest extends WindowTest {
           "Apply Copied Flips", // cannot be, since the triangulation has them already
           "Paste"); // cannot be, since flips are no points
 
-  private static final List<String> DIALOGS_OF_POLYGONS = List.of("Random Polygon…");
+  private static final List<String> DIALOGS_OF_POLYGONS = List.of("Random Polygon…", "Random Region…");
 
   /** Of rings that meet themselves; AccessibleQuestionsTest walks it. */
   private static final List<String> OF_RINGS = List.of("Split Ring…");

@@ -28,6 +28,7 @@ class LookWindowTest extends WindowTest {
           "Table of Results",
           "Point Sites…",
           "Polygons…",
+          "Regions with Holes…",
           "Commands and Keys",
           "Find Command…",
           "Export Picture",

@@ -106,8 +106,8 @@ public record Defect(
       case SMALL_HOLE -> "the hole at vertex v" + first + " has fewer than three vertices";
       case STRAY_HOLE ->
           first == second
-              ? "the hole with vertex v" + first + " lies outside of the outer ring"
-              : "the hole with vertex v" + first + " lies in the one with vertex v" + second;
+              ? "vertex v" + first + " of a hole lies outside of the outer ring"
+              : "vertex v" + first + " of a hole lies in the hole of v" + second;
       case STRAY_SITE -> "site v" + first + " lies outside of the region";
       case STRAY_EDGE -> "the fixed edge " + edge(first, firstEnd) + " leaves the region";
     };
@@ -123,7 +123,7 @@ public record Defect(
       case TOUCH -> "move it off the edge";
       case CROSSING, OVERLAP -> "move a vertex of one of them";
       case SMALL_HOLE -> "remove it, or add vertices";
-      case STRAY_HOLE -> "move it into the region, or make it a region of its own";
+      case STRAY_HOLE -> "move the hole into the region, or make it a region of its own";
       case STRAY_SITE -> "move it inside, or remove it";
       case STRAY_EDGE -> "remove it, or join other vertices";
     };

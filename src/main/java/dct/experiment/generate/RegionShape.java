@@ -14,26 +14,36 @@ import java.util.Optional;
 /** The families of random regions with holes. */
 public enum RegionShape {
   /** One hole in the middle. */
-  ANNULUS("annulus", "a random polygon in the middle of a star-shaped one"),
+  ANNULUS("annulus", "Annulus", "a random polygon in the middle of a star-shaped one"),
   /** Holes in a polygon of the tour family. */
-  HOLES("holes", "a toured polygon with star-shaped holes where it is widest"),
+  HOLES("holes", "With holes", "a toured polygon with star-shaped holes where it is widest"),
   /** Holes in an orthogonal polygon. */
-  COURTYARDS("courtyards", "an orthogonal polygon with rectangular holes where it is widest");
+  COURTYARDS(
+      "courtyards",
+      "Courtyards",
+      "an orthogonal polygon with rectangular holes where it is widest");
 
   private static final int LEAST = 3; // vertices of a ring
   private static final int CORNERS = 4; // of a courtyard
 
   private final String word;
+  private final String title;
   private final String description;
 
-  RegionShape(String word, String description) {
+  RegionShape(String word, String title, String description) {
     this.word = word;
+    this.title = title;
     this.description = description;
   }
 
   /** The name on the command line. */
   public String word() {
     return word;
+  }
+
+  /** The name in the window. */
+  public String title() {
+    return title;
   }
 
   /** What these regions are, in a few words. */

@@ -8,6 +8,8 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JLabel;
@@ -18,6 +20,7 @@ import javax.swing.ListSelectionModel;
 
 /** Asks which of the shapes of a file is meant, with a small picture of each. */
 final class ShapeChooser {
+  private static final String WITH_HOLES = "Open with Holes";
   private static final String OPEN = "Open";
   private static final String AS_SITES = "All as Sites";
   private static final String CANCEL = "Cancel";
@@ -68,14 +71,24 @@ final class ShapeChooser {
   }
 
   private Optional<Choice> ask(Component parent, String title, Choice before) {
+    List<String> options = new ArrayList<>(List.of(OPEN, AS_SITES, CANCEL));
+    if (hasHoles() && before.as().isEmpty()) {
+      options.add(0, WITH_HOLES);
+    }
     int answer =
-        Ask.choose(parent, title, panel, list::requestFocusInWindow, OPEN, AS_SITES, CANCEL);
+        Ask.choose(
+            parent, title, panel, list::requestFocusInWindow, options.toArray(String[]::new));
     int chosen = list.getSelectedIndex();
-    return switch (answer) {
-      case 0 -> Optional.of(chosen).filter(k -> k >= 0).map(k -> before.picking(k + 1));
-      case 1 -> Optional.of(before.as(Domain.SITES));
+    return switch (answer < 0 ? CANCEL : options.get(answer)) {
+      case WITH_HOLES -> Optional.of(before.as(Domain.REGION));
+      case OPEN -> Optional.of(chosen).filter(k -> k >= 0).map(k -> before.picking(k + 1));
+      case AS_SITES -> Optional.of(before.as(Domain.SITES));
       default -> Optional.empty();
     };
+  }
+
+  private boolean hasHoles() {
+    return shapes.shapes().stream().anyMatch(shape -> shape.kind() == Shape.Kind.HOLE);
   }
 
   /** A shape with its picture and its description. */

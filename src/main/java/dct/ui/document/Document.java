@@ -38,6 +38,13 @@ public record Document(
     this(domain, points, ParityGoal.allEven(points.size()));
   }
 
+  /** A polygon of these rings, in which every vertex is wished to be even. */
+  public static Document of(Rings rings) {
+    Points points = rings.points();
+    return new Document(
+        Domain.POLYGON, points, Layout.of(rings), ParityGoal.allEven(points.size()));
+  }
+
   /** A document without vertices. */
   public static Document empty(Domain domain) {
     return new Document(domain, Points.ofPairs());

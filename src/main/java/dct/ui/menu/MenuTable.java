@@ -164,8 +164,9 @@ public final class MenuTable {
               "Background Work",
               LINE,
               "Random Sites",
-              "Random Polygon…"),
-          Plan.of("Study", "Point Sites…", "Polygons…"),
+              "Random Polygon…",
+              "Random Region…"),
+          Plan.of("Study", "Point Sites…", "Polygons…", "Regions with Holes…"),
           view("Live Triangulation", "Live Method", LINE, "Flips", "Tool Bar", LINE),
           Plan.of(
               "Snap",

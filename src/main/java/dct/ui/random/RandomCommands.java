@@ -26,6 +26,8 @@ public final class RandomCommands {
         new RandomWork("Random Sites", Domain.SITES, parent, workbench, calls, shown);
     RandomWork polygons =
         new RandomWork("Random Polygon", Domain.POLYGON, parent, workbench, calls, shown);
+    RandomWork regions =
+        new RandomWork("Random Region", Domain.REGION, parent, workbench, calls, shown);
     commands
         .add(
             "Random Sites",
@@ -39,6 +41,13 @@ public final class RandomCommands {
             "ctrl R",
             "Puts a random polygon of a shape to choose on the canvas",
             polygons::ask)
+        .enabledWhen(() -> workbench.isChosen(Domain.POLYGON));
+    commands
+        .add(
+            "Random Region…",
+            "ctrl shift R",
+            "Puts a random polygon with holes, of a shape to choose, on the canvas",
+            regions::ask)
         .enabledWhen(() -> workbench.isChosen(Domain.POLYGON));
   }
 }

@@ -15,7 +15,7 @@ import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JTextField;
 
-/** The questions which random sites or polygon to make: the number first. */
+/** The questions which random sites, polygon or region to make: the number first. */
 public final class RandomForm extends Form {
   private static final long serialVersionUID = 1L;
   private static final int MOST = 1_000_000;
@@ -26,6 +26,7 @@ public final class RandomForm extends Form {
   private final JComboBox<RandomPlan.Shape> shapes;
   private final JTextField seed = new JTextField("1", 12);
   private final JTextField area = new JTextField(12);
+  private final JTextField holes = new JTextField("1", 12);
   private final JCheckBox real = new JCheckBox("Real coordinates");
 
   /**
@@ -40,9 +41,13 @@ public final class RandomForm extends Form {
     ask("Number of " + domain.vertices() + ":", 'n', "vertices", number, "From " + least() + " on");
     ask("Shape:", 's', "shape", shapes, "How they lie; each says so under the mouse");
     ask("Seed:", 'e', "seed", seed, "Which of the random ones; the same gives the same again");
-    area.putClientProperty("JTextField.placeholderText", "as large as needed");
-    ask("Area:", 'a', "area", area, "Width and height, as 1000x700; empty for as much as needed");
-    offer(real, 'r', "real", "Otherwise all coordinates are whole numbers");
+    if (domain == Domain.REGION) {
+      ask("Number of holes:", 'h', "holes", holes, "From 1 on; an annulus has one");
+    } else {
+      area.putClientProperty("JTextField.placeholderText", "as large as needed");
+      ask("Area:", 'a', "area", area, "Width and height, as 1000x700; empty for as much as needed");
+      offer(real, 'r', "real", "Otherwise all coordinates are whole numbers");
+    }
     offerCopy(() -> copy.accept(this));
   }
 
@@ -64,7 +69,9 @@ public final class RandomForm extends Form {
     long n = whole(number, least(), MOST, "number of " + domain.vertices());
     long chosen = whole(seed, Long.MIN_VALUE, Long.MAX_VALUE, "seed");
     RandomPlan.Shape shape = shapes.getItemAt(shapes.getSelectedIndex());
-    return new RandomPlan(domain, (int) n, shape, chosen, chosenArea(), real.isSelected());
+    long chosenHoles = whole(holes, 1, MOST, "number of holes");
+    return new RandomPlan(
+        domain, (int) n, shape, chosen, chosenArea(), real.isSelected(), (int) chosenHoles);
   }
 
   private Optional<Area> chosenArea() {

@@ -1,26 +1,25 @@
 package dct.ui.random;
 
-import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.ui.dialog.Ask;
+import dct.ui.document.Document;
 import dct.ui.document.Edit;
 import dct.ui.document.Editor;
 import dct.ui.shell.CallCopy;
 import dct.ui.workbench.Workbench;
 import java.awt.Component;
 
-/** Random Sites and Random Polygon: asks which, and puts them on the canvas. */
+/** Random Sites, Random Polygon and Random Region: asks which, and puts it on the canvas. */
 public final class RandomWork {
   private final String title;
   private final Component parent;
   private final Workbench workbench;
-  private final Domain domain;
   private final Runnable shown;
   private final CallCopy calls;
   private final RandomForm form;
 
   /**
-   * Work for one of the two applications.
+   * Work on one kind of input.
    *
    * @param shown is run when something else was put on the canvas
    */
@@ -32,7 +31,6 @@ public final class RandomWork {
       CallCopy calls,
       Runnable shown) {
     this.title = title;
-    this.domain = domain;
     this.parent = parent;
     this.workbench = workbench;
     this.calls = calls;
@@ -61,13 +59,13 @@ public final class RandomWork {
   }
 
   private void make(RandomPlan plan) {
-    workbench.jobs().submit(title, plan::generate, points -> show(points, plan));
+    workbench.jobs().submit(title, plan::generate, made -> show(made, plan));
   }
 
-  private void show(Points points, RandomPlan plan) {
-    Editor editor = workbench.editor(domain);
-    editor.perform(Edit.replace(title, editor.document(), points));
-    if (workbench.isChosen(domain)) {
+  private void show(Document made, RandomPlan plan) {
+    Editor editor = workbench.editor(made.domain());
+    editor.perform(new Edit.Replace(title, editor.document(), made));
+    if (workbench.isChosen(made.domain())) {
       shown.run();
     }
     if (workbench.isDrawing()) {

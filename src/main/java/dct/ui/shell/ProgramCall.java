@@ -89,10 +89,18 @@ public record ProgramCall(List<String> words) {
     return option("-o", name(file));
   }
 
-  /** Random sites or a random polygon of this shape, in the area that such a number needs. */
+  /**
+   * Random sites, or a random polygon or region, of this shape, in the area that such a number
+   * needs.
+   */
   public static ProgramCall generate(Domain domain, int n, String shape, long seed) {
     return of("generate", domain.word(), "-n", Integer.toString(n), "--shape", shape)
         .option("--seed", Long.toString(seed));
+  }
+
+  /** This call with so many holes. */
+  public ProgramCall holes(int count) {
+    return with("--holes", Integer.toString(count));
   }
 
   /** This call with another area. */
@@ -105,7 +113,7 @@ public record ProgramCall(List<String> words) {
     return with("--real");
   }
 
-  /** A study of this plan: of points or of polygons. */
+  /** A study of this plan: of points, polygons or annuli. */
   public static ProgramCall experiment(String what, StudyPlan plan) {
     String sizes =
         plan.sizes().stream().map(size -> Integer.toString(size)).collect(Collectors.joining(","));

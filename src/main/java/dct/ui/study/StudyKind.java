@@ -1,7 +1,9 @@
 package dct.ui.study;
 
 import dct.experiment.generate.PolygonShape;
+import dct.experiment.generate.RegionShape;
 import dct.experiment.generate.SiteShape;
+import dct.experiment.study.AnnuliStudy;
 import dct.experiment.study.PointsStudy;
 import dct.experiment.study.PolygonsStudy;
 import dct.experiment.study.Study;
@@ -25,6 +27,13 @@ public enum StudyKind {
       "Many random polygons, and how many of their vertices become even",
       "10,20,50,100,200",
       20,
+      PolygonShape.MOST),
+  /** The experiment on annuli and other regions. */
+  ANNULI(
+      "Regions with Holes",
+      "Many random regions with holes, annuli first, and how many of their vertices become even",
+      "50,100,200",
+      10,
       PolygonShape.MOST);
 
   private final String title;
@@ -56,6 +65,7 @@ public enum StudyKind {
     return switch (this) {
       case POINTS -> SiteShape.words();
       case POLYGONS -> PolygonShape.words();
+      case ANNULI -> RegionShape.words();
     };
   }
 
@@ -84,6 +94,7 @@ public enum StudyKind {
     return switch (this) {
       case POINTS -> new PointsStudy(plan);
       case POLYGONS -> new PolygonsStudy(plan, Map.of());
+      case ANNULI -> new AnnuliStudy(plan);
     };
   }
 }

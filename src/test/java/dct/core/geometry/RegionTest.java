@@ -70,15 +70,15 @@ class RegionTest {
     says(List.of(OUTER, new int[] {4, 5}), "the hole at vertex v4 has fewer than three vertices");
     says(
         List.of(HOLE, OUTER),
-        "the hole with vertex v2 lies outside of the outer ring, (9, 9); "
-            + "move it into the region, or make it a region of its own");
+        "vertex v2 of a hole lies outside of the outer ring, (9, 9); "
+            + "move the hole into the region, or make it a region of its own");
     says(List.of(HOLE), "site v2 lies outside of the region, (9, 9); move it inside, or remove it");
     says(
         Rings.of(
             Points.ofPairs(0, 0, 9, 0, 9, 9, 0, 9, 1, 1, 8, 1, 1, 8, 2, 2, 4, 2, 2, 4),
             List.of(OUTER, HOLE, new int[] {7, 8, 9})),
-        "the hole with vertex v9 lies in the one with vertex v4, (2, 4); "
-            + "move it into the region, or make it a region of its own");
+        "vertex v9 of a hole lies in the hole of v4, (2, 4); "
+            + "move the hole into the region, or make it a region of its own");
     says(
         Rings.of(SQUARE_AND_HOLE.moved(7, 4, 3), List.of(OUTER, HOLE)),
         "vertex v7 touches edge v4–v5 at (4, 3); move it off the edge");

@@ -18,13 +18,13 @@ import org.junit.jupiter.api.Test;
 
 class RandomPlanTest {
   private static RandomPlan plan(Domain domain, int shape, Optional<Area> area, boolean real) {
-    return new RandomPlan(domain, 40, RandomPlan.shapes(domain).get(shape), 7, area, real);
+    return new RandomPlan(domain, 40, RandomPlan.shapes(domain).get(shape), 7, area, real, 1);
   }
 
   @Test
   void theUsualSitesAreUniform() {
     RandomPlan plan = plan(Domain.SITES, 0, Optional.empty(), false);
-    assertThat(plan.generate(Progress.NONE)).isEqualTo(RandomSites.uniform(40, 7));
+    assertThat(plan.generate(Progress.NONE).points()).isEqualTo(RandomSites.uniform(40, 7));
     assertThat(plan.words()).isEqualTo("Uniform, 40 sites, seed 7");
     assertThat(plan.call().line()).isEqualTo("dct generate points -n 40 --shape uniform --seed 7");
   }
@@ -32,7 +32,7 @@ class RandomPlanTest {
   @Test
   void anAreaAndRealCoordinatesAreKept() {
     RandomPlan plan = plan(Domain.POLYGON, 0, Optional.of(new Area(30, 20, true)), true);
-    var points = plan.generate(Progress.NONE);
+    var points = plan.generate(Progress.NONE).points();
     assertThat(points.size()).isEqualTo(40);
     for (int v = 0; v < 40; v++) {
       assertThat(points.x(v)).isBetween(0.0, 30.0);
@@ -44,12 +44,22 @@ class RandomPlanTest {
 
   @Test
   void everyShapeIsMadeAsTheCommandLineMakesIt() {
-    for (Domain domain : Domain.applications()) {
+    for (Domain domain : Domain.values()) {
       for (int shape = 0; shape < RandomPlan.shapes(domain).size(); shape++) {
         RandomPlan plan = plan(domain, shape, Optional.empty(), false);
         assertThat(plan.generate(Progress.NONE).size()).as(plan.words()).isEqualTo(40);
       }
     }
+  }
+
+  @Test
+  void aRegionHasItsHoles() {
+    RandomPlan.Shape shape = RandomPlan.shapes(Domain.REGION).get(1);
+    RandomPlan plan = new RandomPlan(Domain.REGION, 60, shape, 3, Optional.empty(), false, 2);
+    assertThat(plan.generate(Progress.NONE).layout().holes()).isEqualTo(2);
+    assertThat(plan.words()).isEqualTo("With holes, 60 vertices, 2 holes, seed 3");
+    assertThat(plan.call().line())
+        .isEqualTo("dct generate region -n 60 --shape holes --seed 3 --holes 2");
   }
 
   @Test
