@@ -242,7 +242,7 @@ class BadRegionTest {
             "hole out",
             "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[9,0],[9,9],[0,0]],[[20,20],[21,20]"
                 + ",[21,21],[20,20]]]}",
-            ":1: the hole with vertex v5 lies outside of the outer ring, (21, 21); move "
+            ":1: vertex v5 of a hole lies outside of the outer ring, (21, 21); move "
                 + "it into the region, or make it a region of its own"));
   }
 

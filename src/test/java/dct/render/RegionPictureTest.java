@@ -122,7 +122,7 @@ class RegionPictureTest {
 
   private static List<Scene> scenes(Rings rings) {
     Instance region = Instance.of("it", rings, Progress.NONE);
-    return List.of(Scene.region(rings), Scene.of(made(region)));
+    return List.of(Scene.outline(rings, false, List.of()), Scene.of(made(region)));
   }
 
   @Test
@@ -153,7 +153,7 @@ class RegionPictureTest {
           RandomRegions.region(family, 5 + seed, 1 + seed % 3, 2 * (seed % 3), seed).rings();
       if (rings.fixedCount() == 0 && rings.count() > 1) {
         readBack++;
-        Scene scene = Scene.region(rings);
+        Scene scene = Scene.outline(rings, false, List.of());
         assertShows(read(written(scene, Figure.DEFAULT, FileEnding.IPE)), rings, false, 0);
       }
     }
@@ -166,7 +166,8 @@ class RegionPictureTest {
     Points star = PolygonShape.STAR_SHAPED.generate(24, 3).points();
     Instance polygon = Instance.of(Domain.POLYGON, "it", star, Progress.NONE);
     for (FileEnding ending : List.of(FileEnding.SVG, FileEnding.IPE)) {
-      for (Scene scene : List.of(Scene.of(made(polygon)), Scene.polygon(star, false, List.of()))) {
+      for (Scene scene :
+          List.of(Scene.of(made(polygon)), Scene.outline(Rings.ofChain(star), false, List.of()))) {
         PointDocument read = read(written(scene, FIGURES.get(2), ending));
         assertThat(read.rings()).isEmpty();
         assertThat(read.instance(Progress.NONE).size()).isEqualTo(24);
@@ -177,7 +178,7 @@ class RegionPictureTest {
   /** A vertex of the outline has moved on the page, its mark has not; there is one site more. */
   @Test
   void ofRingsThatWereMovedTheMarksAreNoSites() throws IOException {
-    String file = written(Scene.region(PLATE), Figure.DEFAULT, FileEnding.IPE);
+    String file = written(Scene.outline(PLATE, false, List.of()), Figure.DEFAULT, FileEnding.IPE);
     String moved = file.replaceFirst("\n96 0 l", "\n96 1 l");
     assertThat(moved).isNotEqualTo(file);
     PointDocument read = read(moved);

@@ -63,7 +63,8 @@ class AccessibleTreeTest extends WindowTest {
           "Apply Copied Flips", // cannot be, since the triangulation has them already
           "Paste"); // cannot be, since flips are no points
 
-  private static final List<String> DIALOGS_OF_POLYGONS = List.of("Random Polygon…", "Random Region…");
+  private static final List<String> DIALOGS_OF_POLYGONS =
+      List.of("Random Polygon…", "Random Region…");
 
   /** Of rings that meet themselves; AccessibleQuestionsTest walks it. */
   private static final List<String> OF_RINGS = List.of("Split Ring…");

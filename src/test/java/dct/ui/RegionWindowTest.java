@@ -143,6 +143,30 @@ class RegionWindowTest extends WindowTest {
   }
 
   @Test
+  void ringsThatTouchAreSplitAndPartedAndThatIsUndone() {
+    choose("Polygon Based");
+    clickAt(100, 100, 600, 100, 600, 500, 100, 500);
+    type(KeyEvent.VK_ENTER);
+    type(KeyEvent.VK_H);
+    clickAt(200, 200, 350, 120, 500, 200, 350, 400);
+    type(KeyEvent.VK_ENTER);
+    press(350, 120);
+    moveTo(350, 100);
+    release();
+    Document touching = document();
+    assertThat(frame.label("status").target().getText())
+        .isEqualTo(
+            "Not simple: vertex v5 touches edge v0–v1; Edit ▸ Go to Crossing, Split Ring…, "
+                + "Part by a Hair");
+    menu("Edit", "Part by a Hair");
+    await("the parting", () -> !document().equals(touching));
+    assertThat(onEventThread(() -> window.workbench().shown().defects())).isEmpty();
+    assertThat(document().layout()).isEqualTo(touching.layout());
+    type(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    assertThat(document()).isEqualTo(touching);
+  }
+
+  @Test
   void aRegionIsSavedAndOpenedAgain() throws Exception {
     drawSquareWithHole();
     type(KeyEvent.VK_I);

@@ -57,14 +57,8 @@ public final class CrossingWork {
     return List.of(
         new Remedy("Show Me", defect -> true, this::goTo),
         new Remedy(UNTANGLE, d -> isOneRing() && !TouchingWork.isRepeated(d), defect -> untangle()),
-        new Remedy(
-            TouchingWork.SPLIT,
-            d -> isOneRing() && TouchingWork.isRepeated(d),
-            defect -> touching.split()),
-        new Remedy(
-            TouchingWork.PART,
-            d -> isOneRing() && TouchingWork.isTouch(d),
-            defect -> touching.part()),
+        new Remedy(TouchingWork.SPLIT, this::canSplit, defect -> touching.split()),
+        new Remedy(TouchingWork.PART, TouchingWork::isTouch, defect -> touching.part()),
         new Remedy(USE_AS_SITES, defect -> true, defect -> useAsSites()));
   }
 
@@ -84,7 +78,7 @@ public final class CrossingWork {
             "Exchanges edges that cross until the polygon is simple; its vertices stay",
             this::untangle)
         .enabledWhen(() -> isOneRing() && !places().isEmpty());
-    touching.offer(commands, () -> isOneRing() ? places() : List.of());
+    touching.offer(commands, this::places, this::canSplit);
     commands
         .add(
             USE_AS_SITES,
@@ -126,17 +120,15 @@ public final class CrossingWork {
   }
 
   private String mending(Defect defect) {
-    if (!isOneRing()) {
-      return "; " + defect.cure();
+    if (TouchingWork.isTouch(defect)) {
+      return (canSplit(defect) ? ", " + TouchingWork.SPLIT : "") + ", " + TouchingWork.PART;
     }
-    return ", " + ofOneRing(defect);
+    return isOneRing() ? ", " + UNTANGLE : "; " + defect.cure();
   }
 
-  private static String ofOneRing(Defect defect) {
-    if (TouchingWork.isRepeated(defect)) {
-      return TouchingWork.SPLIT + ", " + TouchingWork.PART;
-    }
-    return TouchingWork.isTouch(defect) ? TouchingWork.PART : UNTANGLE;
+  /** Whether a polygon comes to a place again, or rings of a region meet. */
+  private boolean canSplit(Defect defect) {
+    return isOneRing() ? TouchingWork.isRepeated(defect) : TouchingWork.isTouch(defect);
   }
 
   private void goToNext() {
