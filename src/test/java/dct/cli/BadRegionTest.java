@@ -243,7 +243,7 @@ class BadRegionTest {
             "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[9,0],[9,9],[0,0]],[[20,20],[21,20]"
                 + ",[21,21],[20,20]]]}",
             ":1: vertex v5 of a hole lies outside of the outer ring, (21, 21); move "
-                + "it into the region, or make it a region of its own"));
+                + "the hole into the region, or make it a region of its own"));
   }
 
   private static Stream<Arguments> wellKnownTexts() {
