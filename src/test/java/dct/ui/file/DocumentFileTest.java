@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -51,11 +52,16 @@ class DocumentFileTest {
   }
 
   @Test
-  void a_region_is_refused_with_a_sentence() {
-    refusesToRead(
-        Path.of("samples", "plate_region.txt"),
-        ": it holds a region with holes, sites or fixed edges inside, which the window does not"
-            + " show; triangulate it by dct triangulate");
+  void a_region_is_read_and_written_again() {
+    Document plate = read(Path.of("samples", "plate_region.txt"));
+    assertThat(plate.domain()).isEqualTo(Domain.POLYGON);
+    assertThat(plate.content()).isEqualTo(Domain.REGION);
+    assertThat(plate.layout().holes()).isEqualTo(2);
+    for (String name : List.of("plate_region.txt", "plate.json")) {
+      Path file = folder.resolve(name);
+      DocumentFile.write(file, plate, Progress.NONE);
+      assertThat(read(file)).as(name).isEqualTo(plate);
+    }
   }
 
   @ParameterizedTest

@@ -1,6 +1,7 @@
 package dct.core.degree.bound;
 
 import dct.core.Progress;
+import dct.core.dcel.Dcel;
 import dct.core.degree.Explanation;
 import dct.core.degree.LowerBound;
 import dct.core.degree.Mark;
@@ -11,6 +12,7 @@ import dct.core.degree.exact.OddSetProof;
 import dct.core.triangulate.Domain;
 import dct.core.triangulate.Triangulation;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -129,11 +131,34 @@ public final class BoundExplanation {
 
   // ---- regions
 
-  /** The count over the rings is not drawn; what it forbids is refuted triangle by triangle. */
+  /** For wishes the count over the rings is not drawn; what it forbids is refuted. */
   private Optional<Explanation> ofRegion() {
-    return value == 0
-        ? Optional.empty()
-        : reached(handshake.bound(), () -> HandshakeMarks.of(goal)).or(this::refuted);
+    return countedRings()
+        .or(() -> reached(handshake.bound(), () -> HandshakeMarks.of(goal)))
+        .or(this::refuted);
+  }
+
+  private Optional<Explanation> countedRings() {
+    if (!goal.isAll(Wish.EVEN)) {
+      return Optional.empty();
+    }
+    List<int[]> rings = Arrays.stream(any.dcel().outerCycles()).mapToObj(this::ring).toList();
+    long indivisible = rings.stream().filter(ring -> ring.length % 3 != 0).count();
+    LowerBound bound = new LowerBound(indivisible == 1 ? 2 : 0, "rings counted in threes");
+    return reached(
+        bound,
+        () ->
+            rings.size() == 1
+                ? BoundaryCount.of(rings.get(0), "boundary vertices")
+                : RingCount.of(rings));
+  }
+
+  /** The vertices of the cycle of the outer face that this half-edge is on. */
+  private int[] ring(int start) {
+    Dcel dcel = any.dcel();
+    return IntStream.iterate(start, e -> e >= 0, e -> dcel.next(e) == start ? -1 : dcel.next(e))
+        .map(dcel::origin)
+        .toArray();
   }
 
   // ---- sites

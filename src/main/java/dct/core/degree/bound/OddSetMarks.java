@@ -23,11 +23,11 @@ final class OddSetMarks {
     sentences.add(
         "Suppose that a triangulation had exactly some odd vertices, and draw a ray from each of"
             + " them. Then its triangles can be coloured black and white so that neighbours differ,"
-            + " but for an exchange of the colours across each ray; along the hull the colour"
-            + " changes at rays only.");
+            + " but for an exchange of the colours across each ray; along the boundary the"
+            + " colour changes at rays only.");
     sentences.add(
         "So each inner edge has a black triangle on one side and a white one on the other, and each"
-            + " hull edge a triangle of a colour that is known. For every set in question, every"
+            + " boundary edge a triangle of a colour that is known. For every set in question, every"
             + " choice of empty triangles and colours was refuted; a refutation serves for all sets"
             + " with the same parities inside the cycles that it used.");
     boolean isWished = proof.sites().stream().allMatch(v -> goal.wish(v) != Wish.ANY);

@@ -11,6 +11,8 @@ import dct.core.degree.ParityGoal;
 import dct.core.degree.ParityGoal.Wish;
 import dct.core.degree.colour.HullRing;
 import dct.core.geometry.Points;
+import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import dct.core.geometry.SimplePolygon;
 import dct.core.geometry.Sites;
 import dct.core.triangulate.Delaunay;
@@ -24,6 +26,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** What is drawn to explain a bound has the bound's number. */
@@ -62,6 +65,26 @@ class BoundExplanationTest {
     return EarClipping.triangulate(convex, Progress.NONE);
   }
 
+  private static Triangulation annulus(int outer, int inner) {
+    Points points = round(outer, 100);
+    for (int k = 0; k < inner; k++) {
+      points = points.inserted(points.size(), round(inner, 40).x(k), round(inner, 40).y(k));
+    }
+    int[] ring = IntStream.range(0, outer).toArray();
+    int[] hole = IntStream.range(outer, outer + inner).toArray();
+    Rings rings = Rings.of(points, List.of(ring, hole));
+    return EarClipping.triangulate(Region.of(rings, Progress.NONE), Progress.NONE);
+  }
+
+  private static Points round(int n, double radius) {
+    double[] pairs = new double[2 * n];
+    for (int i = 0; i < n; i++) {
+      pairs[2 * i] = radius * Math.cos(2 * Math.PI * i / n);
+      pairs[2 * i + 1] = radius * Math.sin(2 * Math.PI * i / n);
+    }
+    return Points.ofPairs(pairs);
+  }
+
   @Test
   void theBoundaryIsCountedInThrees() {
     Explanation fourteen = allEven(polygon(14), 2);
@@ -76,6 +99,14 @@ class BoundExplanationTest {
     Explanation twelve = allEven(polygon(12), 0);
     assertThat(twelve.title()).isEqualTo("3 divides the 12 vertices");
     assertThat(faults(twelve)).isEmpty();
+    Explanation annulus = allEven(annulus(6, 4), 2);
+    assertThat(annulus.title()).startsWith("3 divides the numbers of vertices of all rings but");
+    assertThat(annulus.text()).contains("only the ring of 4 vertices leaves a rest");
+    assertThat(marks(annulus, Mark.Vertex.class)).hasSize(10);
+    assertThat(faults(annulus)).extracting(Mark.Vertex::label).containsExactly("1");
+    Explanation both = allEven(annulus(5, 4), 0);
+    assertThat(both.text()).contains("the rests of the 2 rings that 3 does not divide cancel");
+    assertThat(faults(both)).hasSize(3);
     Explanation sites = allEven(delaunay(0, 0, 5, 0, 5, 5, 0, 5, 2, 2), 2);
     assertThat(sites.title()).isEqualTo("3 does not divide the 4 hull sites");
     assertThat(marks(sites, Mark.Vertex.class)).hasSize(4);
