@@ -12,13 +12,15 @@ import dct.testing.RandomRegions;
 import dct.testing.RandomSets;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * Constrained Delaunay triangulations of polygons and of regions with holes, sites and fixed edges,
- * beside the Delaunay triangulation of the same vertices, with which they start. Arguments: the
- * numbers of vertices.
+ * beside the Delaunay triangulation of the same vertices, with which they start, and beside {@link
+ * CgalProcess} if its program is the first argument. The others: the numbers of vertices.
  */
 public final class RegionTable {
   private static final List<PolygonShape> SHAPES =
@@ -36,17 +38,23 @@ public final class RegionTable {
   private static final int ROUNDS = 9;
 
   private final PrintStream out;
+  private final Optional<String> cgal;
 
-  private RegionTable(PrintStream out) {
+  private RegionTable(PrintStream out, Optional<String> cgal) {
     this.out = out;
+    this.cgal = cgal;
   }
 
   public static void main(String[] args) {
     Locale.setDefault(Locale.ROOT);
-    RegionTable table = new RegionTable(new PrintStream(System.out, true, StandardCharsets.UTF_8));
-    table.out.println("| region | vertices | missing edges | Delaunay | constrained | ratio |");
+    Optional<String> cgal =
+        Arrays.stream(args).limit(1).filter(first -> !first.matches("[0-9]+")).findFirst();
+    List<String> sizes = Arrays.stream(args).skip(cgal.isPresent() ? 1 : 0).toList();
+    PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+    RegionTable table = new RegionTable(out, cgal);
+    table.out.println("| region | vertices | missing edges | Delaunay | constrained | CGAL |");
     table.out.println("|---|---:|---:|---:|---:|---:|");
-    for (String n : args.length == 0 ? new String[] {"100000", "1000000"} : args) {
+    for (String n : sizes.isEmpty() ? List.of("100000", "1000000") : sizes) {
       table.rows(Integer.parseInt(n));
     }
   }
@@ -63,26 +71,33 @@ public final class RegionTable {
 
   private void row(String name, Region region) {
     Sites sites = Sites.of(region.points(), Progress.NONE);
+    Triangulation delaunay = Delaunay.triangulate(sites, Progress.NONE);
     double[] plain = new double[ROUNDS];
     double[] constrained = new double[ROUNDS];
+    double[] peer = new double[ROUNDS];
     double[] ratio = new double[ROUNDS];
-    for (int k = -WARM_UP; k < ROUNDS; k++) {
-      double ours = millis(() -> ConstrainedDelaunay.triangulate(region, Progress.NONE));
-      double delaunay = millis(() -> Delaunay.triangulate(sites, Progress.NONE));
-      if (k >= 0) {
-        plain[k] = delaunay;
-        constrained[k] = ours;
-        ratio[k] = ours / delaunay;
+    try (CgalProcess process = CgalProcess.of(cgal, region, delaunay.triangleCount())) {
+      for (int k = -WARM_UP; k < ROUNDS; k++) {
+        double ours = millis(() -> ConstrainedDelaunay.triangulate(region, Progress.NONE));
+        double start = millis(() -> Delaunay.triangulate(sites, Progress.NONE));
+        double theirs = process.millis();
+        if (k >= 0) {
+          plain[k] = start;
+          constrained[k] = ours;
+          peer[k] = theirs;
+          ratio[k] = ours / theirs;
+        }
       }
     }
+    String theirs = ComparisonTable.millis(Contest.median(peer));
     out.printf(
-        "| %s | %,d | %,d | %s | %s | %.1f |%n",
+        "| %s | %,d | %,d | %s | **%s** | %s |%n",
         name,
         region.size(),
-        missing(region, Delaunay.triangulate(sites, Progress.NONE)),
+        missing(region, delaunay),
         ComparisonTable.millis(Contest.median(plain)),
         ComparisonTable.millis(Contest.median(constrained)),
-        Contest.median(ratio));
+        cgal.isEmpty() ? "–" : theirs + String.format(" (%.2f)", Contest.median(ratio)));
   }
 
   private static double millis(Runnable run) {
