@@ -79,7 +79,31 @@ public final class VisibilityGraph {
       int most,
       long mostPairs,
       Progress progress) {
-    int n = polygon.size();
+    int[] walk = polygon.walk();
+    return of(polygon.points(), triangulation.dcel(), walk, most, mostPairs, progress);
+  }
+
+  /**
+   * The visibility graph of what a closed walk bounds that does not cross itself, or null if it has
+   * more pairs than allowed. Vertices may be at one place, so that the walk goes to and fro along a
+   * slit.
+   *
+   * @param dcel a triangulation of it
+   * @param walk all vertices, counter-clockwise
+   * @throws java.util.concurrent.CancellationException if cancelled
+   */
+  public static VisibilityGraph of(
+      Points points, Dcel dcel, int[] walk, long mostPairs, Progress progress) {
+    return of(points, dcel, walk, Integer.MAX_VALUE, mostPairs, progress);
+  }
+
+  private static VisibilityGraph of(
+      Points points, Dcel dcel, int[] walk, int most, long mostPairs, Progress progress) {
+    int n = walk.length;
+    int[] position = new int[n];
+    for (int k = 0; k < n; k++) {
+      position[walk[k]] = k;
+    }
     int[][] seen = new int[n][];
     AtomicLong pairs = new AtomicLong();
     AtomicInteger done = new AtomicInteger();
@@ -88,17 +112,28 @@ public final class VisibilityGraph {
         .forEach(
             task -> {
               progress.report((double) done.get() / n, "Finding what each vertex sees");
-              Cone cone = new Cone(polygon, triangulation, most);
+              Sight sight = new Sight(points, dcel, most);
               int first = task * VERTICES_A_TASK;
               int end = Math.min(n, first + VERTICES_A_TASK);
               for (int i = first; i < end && pairs.get() <= mostPairs; i++) {
                 progress.checkCancelled();
-                seen[i] = cone.seenAfter(i);
+                seen[i] = after(i, sight.from(walk[i]), position);
                 pairs.addAndGet(seen[i].length);
               }
               done.addAndGet(end - first);
             });
     return pairs.get() <= mostPairs ? new VisibilityGraph(seen, pairs.intValue(), progress) : null;
+  }
+
+  /** The positions above i of these vertices. */
+  private static int[] after(int i, int[] seen, int[] position) {
+    int count = 0;
+    for (int v : seen) {
+      if (position[v] > i) {
+        seen[count++] = position[v];
+      }
+    }
+    return Arrays.copyOf(seen, count);
   }
 
   private static void checkCancelled(int i, Progress progress) {
@@ -179,97 +214,5 @@ public final class VisibilityGraph {
       }
     }
     return j;
-  }
-
-  /** What one vertex sees; used again for the next one. */
-  private static final class Cone {
-    private final SimplePolygon polygon;
-    private final Points points;
-    private final Dcel dcel;
-    private final int most;
-    private int[] waiting =
-        new int[128]; // of four: half-edge to look through, right, left limit, edges crossed before
-    private int waitingCount;
-    private int[] found = new int[64];
-    private int foundCount;
-
-    Cone(SimplePolygon polygon, Triangulation triangulation, int most) {
-      this.polygon = polygon;
-      this.most = most;
-      points = polygon.points();
-      dcel = triangulation.dcel();
-    }
-
-    /** The positions above i that the vertex there sees, ascending. */
-    int[] seenAfter(int i) {
-      foundCount = 0;
-      int v = polygon.vertex(i);
-      int e = boundaryEdge(v);
-      see(i, dcel.target(e));
-      while (dcel.face(e) != Dcel.OUTER) {
-        int through = dcel.next(e);
-        await(through, dcel.origin(through), dcel.target(through), 0);
-        lookThroughAll(i, v);
-        e = dcel.rotate(e);
-        see(i, dcel.target(e));
-      }
-      return Arrays.copyOf(found, foundCount);
-    }
-
-    private int boundaryEdge(int v) {
-      int e = dcel.outEdge(v);
-      while (dcel.face(e ^ 1) != Dcel.OUTER) {
-        e = dcel.rotate(e);
-      }
-      return e;
-    }
-
-    private void see(int i, int v) {
-      int j = polygon.vertex(v); // its own inverse
-      if (j > i) {
-        if (foundCount == found.length) {
-          found = Arrays.copyOf(found, 2 * foundCount);
-        }
-        found[foundCount++] = j;
-      }
-    }
-
-    private void await(int through, int right, int left, int crossed) {
-      if (waitingCount + 4 > waiting.length) {
-        waiting = Arrays.copyOf(waiting, 2 * waiting.length);
-      }
-      waiting[waitingCount++] = through;
-      waiting[waitingCount++] = right;
-      waiting[waitingCount++] = left;
-      waiting[waitingCount++] = crossed;
-    }
-
-    private void lookThroughAll(int i, int v) {
-      while (waitingCount > 0) {
-        int crossed = waiting[--waitingCount];
-        int left = waiting[--waitingCount];
-        int right = waiting[--waitingCount];
-        int through = waiting[--waitingCount];
-        if (through == Dcel.NONE) {
-          see(i, right);
-        } else if (crossed < most && dcel.face(through ^ 1) != Dcel.OUTER) {
-          lookThrough(v, through ^ 1, right, left, crossed + 1);
-        }
-      }
-    }
-
-    /** The side of the triangle of e that is turned to v is e; its far corner narrows the cone. */
-    private void lookThrough(int v, int e, int right, int left, int crossed) {
-      int far = dcel.target(dcel.next(e));
-      if (points.orient(v, right, far) <= 0) {
-        await(dcel.prev(e), right, left, crossed);
-      } else if (points.orient(v, far, left) <= 0) {
-        await(dcel.next(e), right, left, crossed);
-      } else {
-        await(dcel.prev(e), far, left, crossed);
-        await(Dcel.NONE, far, far, crossed);
-        await(dcel.next(e), right, far, crossed);
-      }
-    }
   }
 }

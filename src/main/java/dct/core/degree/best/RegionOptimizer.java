@@ -24,6 +24,9 @@ import java.util.concurrent.CancellationException;
  *
  * <ol>
  *   <li>Scan-Flip, the thesis's method: what comes back is never worse, however early it ends.
+ *   <li>A region with one hole and nothing inside is cut open, and solved by the tables of polygons
+ *       ({@link ExactAnnulus}): here if they take less than a second, after the first search if
+ *       some, in the end if a minute.
  *   <li>Small parts solved anew, and walks that pair up what is left ({@link SiteSearch}); no part
  *       crosses a boundary or a fixed edge.
  *   <li>In turn, some times: sets of few unmet vertices are refuted ({@link OddSetProof}), up to
@@ -42,6 +45,10 @@ public final class RegionOptimizer {
   private static final int MANY = 2000; // vertices; to begin anew would cost more than to go on
   private static final int SEEDS_APART = 1 << 16; // of searches one after the other
 
+  private static final long AT_ONCE = 200_000_000; // steps of exact tables: less than a second
+  private static final long QUICK_STEPS = 2_000_000_000; // some seconds
+
+  private final Region region;
   private final Triangulation start;
   private final ParityGoal goal;
   private final SearchLimits limits;
@@ -53,6 +60,7 @@ public final class RegionOptimizer {
 
   private RegionOptimizer(
       Region region, Triangulation start, ParityGoal goal, SearchLimits limits, Progress progress) {
+    this.region = region;
     this.start = start;
     this.goal = goal;
     this.limits = limits;
@@ -106,12 +114,16 @@ public final class RegionOptimizer {
       take(ScanFlip.run(start, early).after());
       clock.checkCancelled();
     }
+    cutOpen(AT_ONCE);
     boolean hasLimit = Double.isFinite(limits.seconds());
     int rounds = start.vertexCount() > MANY && !hasLimit ? 1 : ROUNDS;
     Optional<OddSetProof> proof = Optional.empty();
     for (int k = 0; isOpen() && (k < rounds || hasLimit); k++) {
       search(k);
       clock.checkCancelled();
+      if (k == 0) {
+        cutOpen(QUICK_STEPS);
+      }
       if (k == 0 && isOpen()) {
         proof = OddSetProof.begin(best, goal, clock);
       }
@@ -119,6 +131,19 @@ public final class RegionOptimizer {
         proof.ifPresent(this::refute);
       }
     }
+    cutOpen(SearchLimits.MOST_STEPS);
+  }
+
+  private void cutOpen(long mostSteps) {
+    Optional<ExactAnnulus> annulus =
+        isOpen() ? ExactAnnulus.of(region, goal, best, clock) : Optional.empty();
+    annulus
+        .flatMap(tables -> tables.optimum(mostSteps))
+        .ifPresent(
+            optimum -> {
+              take(optimum.triangulation());
+              bound = optimum.bound();
+            });
   }
 
   private void refute(OddSetProof proof) {

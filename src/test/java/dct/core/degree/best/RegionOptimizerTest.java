@@ -123,8 +123,24 @@ class RegionOptimizerTest {
       LowerBound bound = RegionBounds.of(region, goal);
       assertThat(bound.value()).as("%s: %s", that, bound).isBetween(0, least);
       checkExact(region, start, goal, least, that);
+      checkCutOpen(region, start, goal, least, that);
       checkSearch(region, start, goal, least, that);
     }
+  }
+
+  private static void checkCutOpen(
+      Region region, Triangulation start, ParityGoal goal, int least, String what) {
+    ExactAnnulus.of(region, goal, start, Progress.NONE)
+        .ifPresent(
+            annulus -> {
+              Optimum best = annulus.optimum(Long.MAX_VALUE).orElseThrow();
+              TriangulationAssert.assertThat(best.triangulation())
+                  .as(what)
+                  .isTriangulationOf(region);
+              assertThat(goal.unmet(best.triangulation())).as(what).isEqualTo(least);
+              assertThat(best.unmet()).as(what).isEqualTo(least);
+              assertThat(best.isProven()).as(what).isTrue();
+            });
   }
 
   private static void checkExact(
