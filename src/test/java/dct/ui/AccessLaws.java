@@ -161,6 +161,9 @@ final class AccessLaws {
 
   /** Presses a key where the focus is in a dialog, and waits until the dialog is closed. */
   static void closeBy(KeyStroke key, Dialog dialog) {
+    WindowTest.await(
+        "a component of " + dialog.getTitle() + " has the focus",
+        () -> WindowTest.onEventThread(() -> focused(dialog) != null));
     WindowTest.onEventThread(
         () -> {
           Component at = focused(dialog);
