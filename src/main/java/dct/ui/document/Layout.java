@@ -5,6 +5,7 @@ import dct.core.geometry.Rings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
@@ -23,17 +24,18 @@ public final class Layout {
   /** One ring through all points in their order; of sites, which have no rings, too. */
   public static final Layout PLAIN = new Layout(null, new int[0]);
 
-  private final List<int[]> rings; // null where it is plain
+  private final List<RingRuns> rings; // null where it is plain
   private final int[] fixed; // the ends of the fixed edges, two an edge
 
-  private Layout(List<int[]> rings, int[] fixed) {
+  private Layout(List<RingRuns> rings, int[] fixed) {
     this.rings = rings;
     this.fixed = fixed;
   }
 
   /** The layout of these rings and fixed edges. */
   public static Layout of(Rings rings) {
-    List<int[]> all = IntStream.range(0, rings.count()).mapToObj(rings::ring).toList();
+    List<RingRuns> all =
+        IntStream.range(0, rings.count()).mapToObj(rings::ring).map(RingRuns::of).toList();
     return of(all, rings.fixed(), rings.points().size());
   }
 
@@ -44,13 +46,13 @@ public final class Layout {
    *     the last
    * @param n the number of points
    */
-  private static Layout of(List<int[]> rings, int[] fixed, int n) {
+  private static Layout of(List<RingRuns> rings, int[] fixed, int n) {
     boolean isPlain = rings.size() == 1 && fixed.length == 0 && isAll(rings.get(0), n);
     return isPlain ? PLAIN : new Layout(rings, fixed);
   }
 
-  private static boolean isAll(int[] ring, int n) {
-    return ring.length == n && IntStream.range(0, n).allMatch(k -> ring[k] == k);
+  private static boolean isAll(RingRuns ring, int n) {
+    return ring.equals(RingRuns.ofAll(n));
   }
 
   /** Whether there is but one ring through all points in their order, and nothing is fixed. */
@@ -63,33 +65,29 @@ public final class Layout {
     if (isPlain()) {
       return Rings.ofChain(points);
     }
-    List<int[]> drawn = rings.stream().filter(ring -> ring.length > 0).toList();
+    List<int[]> drawn =
+        rings.stream().filter(ring -> ring.size() > 0).map(RingRuns::vertices).toList();
     return Rings.of(points, drawn.isEmpty() ? List.of(new int[0]) : drawn, fixed);
   }
 
   /** The vertices of the ring that is drawn, of n points. */
-  int[] open(int n) {
-    return isPlain() ? IntStream.range(0, n).toArray() : rings.get(rings.size() - 1);
+  private RingRuns open(int n) {
+    return isPlain() ? RingRuns.ofAll(n) : rings.get(rings.size() - 1);
   }
 
   /** The first vertex of the ring that is drawn; −1 if it has none. */
   public int first(int n) {
-    return isPlain() ? (n > 0 ? 0 : -1) : end(0);
+    return open(n).first();
   }
 
   /** The last vertex of the ring that is drawn; −1 if it has none. */
   public int last(int n) {
-    return isPlain() ? n - 1 : end(openSize(n) - 1);
-  }
-
-  private int end(int k) {
-    int[] open = rings.get(rings.size() - 1);
-    return open.length == 0 ? -1 : open[k];
+    return open(n).last();
   }
 
   /** How many vertices the ring has that is drawn. */
   public int openSize(int n) {
-    return isPlain() ? n : rings.get(rings.size() - 1).length;
+    return open(n).size();
   }
 
   /** Whether the ring that is drawn is a hole. */
@@ -99,7 +97,7 @@ public final class Layout {
 
   /** The number that a vertex gets which is drawn: behind those of the rings, before the sites. */
   public int next(int n) {
-    return isPlain() ? n : 1 + rings.stream().flatMapToInt(Arrays::stream).max().orElse(-1);
+    return isPlain() ? n : 1 + rings.stream().mapToInt(RingRuns::highest).max().orElse(-1);
   }
 
   /** Whether this is a fixed edge. */
@@ -122,7 +120,7 @@ public final class Layout {
   /** Between the ends of this edge of a ring; nothing if it is none. */
   private Optional<Place> placeOfEdge(int u, int v) {
     for (int r = 0; r < rings.size(); r++) {
-      int[] ring = rings.get(r);
+      int[] ring = rings.get(r).vertices();
       for (int k = 0; k < ring.length; k++) {
         int after = ring[k + 1 == ring.length ? 0 : k + 1];
         if ((ring[k] == u && after == v) || (ring[k] == v && after == u)) {
@@ -138,14 +136,14 @@ public final class Layout {
     if (openSize(n) == 0) {
       return this;
     }
-    List<int[]> more = new ArrayList<>(isPlain() ? List.of(open(n)) : rings);
-    more.add(new int[0]);
+    List<RingRuns> more = new ArrayList<>(isPlain() ? List.of(open(n)) : rings);
+    more.add(RingRuns.of());
     return new Layout(more, fixed);
   }
 
   /** The same without rings that have no vertices. */
   Layout settled(int n) {
-    return isPlain() || rings.stream().allMatch(ring -> ring.length > 0)
+    return isPlain() || rings.stream().allMatch(ring -> ring.size() > 0)
         ? this
         : without(Selection.NONE, n, ring -> false);
   }
@@ -165,7 +163,11 @@ public final class Layout {
     if (isPlain()) {
       return Math.max(from, to) == n - 1 && Math.min(from, to) == 0 ? n : Math.max(from, to);
     }
-    return placeOfEdge(from, to).map(place -> rings.get(place.ring)[place.at - 1] + 1).orElse(n);
+    return placeOfEdge(from, to).map(place -> before(place) + 1).orElse(n);
+  }
+
+  private int before(Place place) {
+    return rings.get(place.ring).vertices()[place.at - 1];
   }
 
   /** With a vertex between the ends of an edge of a ring or of a fixed one; of others, a site. */
@@ -201,7 +203,7 @@ public final class Layout {
     if (r < 0) {
       return inserted(first, count, -1, 0, n);
     }
-    int at = first == next(n) ? rings.get(r).length : placeOf(r, first - 1) + 1;
+    int at = first == next(n) ? rings.get(r).size() : placeOf(r, first - 1) + 1;
     return inserted(first, count, r, at, n);
   }
 
@@ -215,7 +217,7 @@ public final class Layout {
   }
 
   private int placeOf(int r, int v) {
-    int[] ring = rings.get(r);
+    int[] ring = rings.get(r).vertices();
     for (int k = 0; k < ring.length; k++) {
       if (ring[k] == v) {
         return k;
@@ -226,43 +228,44 @@ public final class Layout {
 
   private Layout inserted(int first, int count, int r, int at, int n) {
     Layout moved = renumbered(v -> v < first ? v : v + count, v -> true);
-    List<int[]> all = new ArrayList<>(moved.rings);
+    List<RingRuns> all = new ArrayList<>(moved.rings);
     if (r >= 0) {
-      int[] ring = all.get(r);
+      int[] ring = all.get(r).vertices();
       int[] longer = new int[ring.length + count];
       System.arraycopy(ring, 0, longer, 0, at);
       Arrays.setAll(
           longer, k -> k < at ? longer[k] : k < at + count ? first + k - at : ring[k - count]);
-      all.set(r, longer);
+      all.set(r, RingRuns.of(longer));
     }
     return of(all, moved.fixed, n + count);
   }
 
   /** Without these vertices: rings of which none is left are gone, and so are their fixed edges. */
   Layout without(Selection gone, int n) {
-    return isPlain() ? this : without(gone, n, ring -> ring.length == 0);
+    return isPlain() ? this : without(gone, n, ring -> ring.size() == 0);
   }
 
   /** The same; says also which of the rings that were empty before stay. */
-  private Layout without(Selection gone, int n, Predicate<int[]> stays) {
+  private Layout without(Selection gone, int n, Predicate<RingRuns> stays) {
     int[] number = new int[n];
     int next = 0;
     for (int v = 0; v < n; v++) {
       number[v] = gone.has(v) ? next : next++;
     }
     Layout left = renumbered(v -> number[v], v -> !gone.has(v));
-    List<int[]> drawn =
+    List<RingRuns> drawn =
         IntStream.range(0, rings.size())
-            .filter(r -> left.rings.get(r).length > 0 || stays.test(rings.get(r)))
+            .filter(r -> left.rings.get(r).size() > 0 || stays.test(rings.get(r)))
             .mapToObj(left.rings::get)
             .toList();
-    return of(drawn.isEmpty() ? List.of(new int[0]) : drawn, left.fixed, next);
+    return of(drawn.isEmpty() ? List.of(RingRuns.of()) : drawn, left.fixed, next);
   }
 
   private Layout renumbered(IntUnaryOperator number, IntPredicate stays) {
-    List<int[]> all =
+    List<RingRuns> all =
         rings.stream()
-            .map(ring -> Arrays.stream(ring).filter(stays).map(number).toArray())
+            .map(ring -> Arrays.stream(ring.vertices()).filter(stays).map(number).toArray())
+            .map(RingRuns::of)
             .toList();
     int[] kept =
         IntStream.range(0, fixed.length)
@@ -274,7 +277,7 @@ public final class Layout {
 
   /** With this edge fixed, or no longer. */
   public Layout toggled(int u, int v, int n) {
-    List<int[]> all = isPlain() ? List.of(open(n)) : rings;
+    List<RingRuns> all = isPlain() ? List.of(open(n)) : rings;
     int at = fixedAt(u, v);
     int[] others =
         at < 0
@@ -292,12 +295,12 @@ public final class Layout {
 
   /** The vertices on no ring, of n points. */
   public int sites(int n) {
-    return isPlain() ? 0 : n - rings.stream().mapToInt(ring -> ring.length).sum();
+    return isPlain() ? 0 : n - rings.stream().mapToInt(RingRuns::size).sum();
   }
 
   /** The number of holes that have vertices. */
   public int holes() {
-    return isPlain() ? 0 : (int) rings.stream().skip(1).filter(ring -> ring.length > 0).count();
+    return isPlain() ? 0 : (int) rings.stream().skip(1).filter(ring -> ring.size() > 0).count();
   }
 
   /** The number of fixed edges. */
@@ -310,20 +313,12 @@ public final class Layout {
     return this == other
         || (other instanceof Layout that
             && Arrays.equals(fixed, that.fixed)
-            && areSame(rings, that.rings));
-  }
-
-  private static boolean areSame(List<int[]> some, List<int[]> others) {
-    if (some == null || others == null) {
-      return some == others;
-    }
-    return some.size() == others.size()
-        && IntStream.range(0, some.size()).allMatch(r -> Arrays.equals(some.get(r), others.get(r)));
+            && Objects.equals(rings, that.rings));
   }
 
   @Override
   public int hashCode() {
-    return 31 * Arrays.hashCode(fixed) + (rings == null ? 0 : rings.size());
+    return 31 * Arrays.hashCode(fixed) + Objects.hashCode(rings);
   }
 
   @Override

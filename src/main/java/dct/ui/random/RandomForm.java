@@ -40,10 +40,11 @@ public final class RandomForm extends Form {
     shapes.setRenderer(new Described());
     ask("Number of " + domain.vertices() + ":", 'n', "vertices", number, "From " + least() + " on");
     ask("Shape:", 's', "shape", shapes, "How they lie; each says so under the mouse");
-    ask("Seed:", 'e', "seed", seed, "Which of the random ones; the same gives the same again");
     if (domain == Domain.REGION) {
       ask("Number of holes:", 'h', "holes", holes, "From 1 on; an annulus has one");
-    } else {
+    }
+    ask("Seed:", 'e', "seed", seed, "Which of the random ones; the same gives the same again");
+    if (domain != Domain.REGION) {
       area.putClientProperty("JTextField.placeholderText", "as large as needed");
       ask("Area:", 'a', "area", area, "Width and height, as 1000x700; empty for as much as needed");
       offer(real, 'r', "real", "Otherwise all coordinates are whole numbers");

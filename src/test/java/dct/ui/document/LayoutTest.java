@@ -9,6 +9,7 @@ import dct.core.geometry.Points;
 import dct.core.geometry.Rings;
 import dct.core.triangulate.Domain;
 import dct.problem.Instance;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -111,6 +112,21 @@ class LayoutTest {
     assertThat(ring(1)).containsExactly(6, 7, 8, 9, 10);
     perform(BulkEdit.insert("Paste", document, 12, two, ParityGoal.allEven(2)));
     assertThat(document.layout().sites(document.size())).isEqualTo(3);
+  }
+
+  @Test
+  void aRingIsKeptAsRuns() {
+    for (int[] ring : new int[][] {{}, {4}, {0, 1, 2}, {3, 4, 9, 10, 11, 2}, {5, 3, 1}}) {
+      RingRuns runs = RingRuns.of(ring);
+      assertThat(runs.vertices()).containsExactly(ring);
+      assertThat(runs.size()).isEqualTo(ring.length);
+      assertThat(runs.first()).isEqualTo(ring.length == 0 ? -1 : ring[0]);
+      assertThat(runs.last()).isEqualTo(ring.length == 0 ? -1 : ring[ring.length - 1]);
+      assertThat(runs.highest()).isEqualTo(Arrays.stream(ring).max().orElse(-1));
+      assertThat(runs).isEqualTo(RingRuns.of(ring.clone()));
+    }
+    assertThat(RingRuns.ofAll(3)).isEqualTo(RingRuns.of(0, 1, 2));
+    assertThat(RingRuns.of(0, 1, 2)).isNotEqualTo(RingRuns.of(0, 1, 3));
   }
 
   @Test
