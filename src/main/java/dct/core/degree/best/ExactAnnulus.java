@@ -11,6 +11,7 @@ import dct.core.degree.bound.RegionBounds;
 import dct.core.degree.region.ParityTable;
 import dct.core.geometry.Points;
 import dct.core.geometry.Region;
+import dct.core.geometry.Rings;
 import dct.core.triangulate.Sight;
 import dct.core.triangulate.Triangulation;
 import dct.core.triangulate.VisibilityGraph;
@@ -52,7 +53,8 @@ final class ExactAnnulus {
   }
 
   /**
-   * The tables for a region; nothing if it is no annulus, or has sites or fixed edges.
+   * The tables for a region; nothing if it is no annulus, has sites or fixed edges, or its vertices
+   * see so many others that no table would hold the pairs.
    *
    * @param any a triangulation of the region
    * @throws java.util.concurrent.CancellationException if cancelled
@@ -65,9 +67,15 @@ final class ExactAnnulus {
     Sight sight = Sight.in(any);
     int from = Points.NONE;
     int[] fewest = null;
+    long seen = 0; // each pair from both of its ends
     for (int v = 0; v < region.size(); v++) {
       progress.checkCancelled();
-      int[] ends = fewest(region, v, sight.from(v));
+      int[] others = sight.from(v);
+      seen += others.length;
+      if (seen > 2L * SearchLimits.MOST_PAIRS) {
+        return Optional.empty();
+      }
+      int[] ends = fewest(region, v, others);
       if (ends != null && (fewest == null || ends.length < fewest.length)) {
         from = v;
         fewest = ends;
@@ -76,26 +84,31 @@ final class ExactAnnulus {
     return Optional.of(new ExactAnnulus(region, goal, from, fewest, progress));
   }
 
-  /** The fewest vertices in a half-plane that are all on the other ring; null if there is none. */
+  /**
+   * The fewest vertices in a half-plane that are all on the other ring; null if there is none. In
+   * linear time: the half-plane turns with its first vertex.
+   */
   private static int[] fewest(Region region, int w, int[] seen) {
     Points points = region.points();
+    Rings rings = region.rings();
+    int ring = rings.ringOf(w);
     int[] fewest = null;
+    int end = 1; // the first vertex behind the half-plane
+    int own = 0; // vertices in it that are on the ring of w
     for (int first = 0; first < seen.length; first++) {
-      int end = first + 1;
-      while (end < seen.length && points.orient(w, seen[first], seen[end]) > 0) {
-        end++;
+      if (first > 0 && first < end && rings.ringOf(seen[first]) == ring) {
+        own--;
       }
-      if (end < seen.length && (fewest == null || end - first - 1 < fewest.length)) {
-        int[] ends = Arrays.copyOfRange(seen, first + 1, end);
-        fewest = areAcross(region, w, ends) ? ends : fewest;
+      end = Math.max(end, first + 1);
+      while (end < seen.length && points.orient(w, seen[first], seen[end]) > 0) {
+        own += rings.ringOf(seen[end++]) == ring ? 1 : 0;
+      }
+      boolean isFewer = fewest == null || end - first - 1 < fewest.length;
+      if (end < seen.length && own == 0 && isFewer) {
+        fewest = Arrays.copyOfRange(seen, first + 1, end);
       }
     }
     return fewest;
-  }
-
-  private static boolean areAcross(Region region, int w, int... ends) {
-    int ring = region.rings().ringOf(w);
-    return Arrays.stream(ends).noneMatch(v -> region.rings().ringOf(v) == ring);
   }
 
   /**
@@ -107,8 +120,8 @@ final class ExactAnnulus {
     Triangulation best = null;
     int unmet = FORBIDDEN;
     int least = RegionBounds.of(region, goal).value();
-    for (int end : to) {
-      Slit slit = new Slit(region, end, from, progress);
+    for (int k = 0; k < to.length && unmet > least; k++) {
+      Slit slit = new Slit(region, to[k], from, progress);
       VisibilityGraph graph = graph(slit);
       if (graph == null || (long) GUESSES * to.length * ParityTable.steps(graph) > mostSteps) {
         return Optional.empty();

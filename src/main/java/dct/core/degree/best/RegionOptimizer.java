@@ -114,7 +114,9 @@ public final class RegionOptimizer {
       take(ScanFlip.run(start, early).after());
       clock.checkCancelled();
     }
-    cutOpen(AT_ONCE);
+    Optional<ExactAnnulus> annulus =
+        isOpen() ? ExactAnnulus.of(region, goal, best, clock) : Optional.empty();
+    cutOpen(annulus, AT_ONCE);
     boolean hasLimit = Double.isFinite(limits.seconds());
     int rounds = start.vertexCount() > MANY && !hasLimit ? 1 : ROUNDS;
     Optional<OddSetProof> proof = Optional.empty();
@@ -122,7 +124,7 @@ public final class RegionOptimizer {
       search(k);
       clock.checkCancelled();
       if (k == 0) {
-        cutOpen(QUICK_STEPS);
+        cutOpen(annulus, QUICK_STEPS);
       }
       if (k == 0 && isOpen()) {
         proof = OddSetProof.begin(best, goal, clock);
@@ -131,13 +133,12 @@ public final class RegionOptimizer {
         proof.ifPresent(this::refute);
       }
     }
-    cutOpen(SearchLimits.MOST_STEPS);
+    cutOpen(annulus, SearchLimits.MOST_STEPS);
   }
 
-  private void cutOpen(long mostSteps) {
-    Optional<ExactAnnulus> annulus =
-        isOpen() ? ExactAnnulus.of(region, goal, best, clock) : Optional.empty();
+  private void cutOpen(Optional<ExactAnnulus> annulus, long mostSteps) {
     annulus
+        .filter(tables -> isOpen())
         .flatMap(tables -> tables.optimum(mostSteps))
         .ifPresent(
             optimum -> {
