@@ -183,14 +183,14 @@ public final class FixTool implements Tool {
       paintProposed(view, points, vertex, pen);
     } else if (vertex == NONE) {
       pen.style(Stroke.solid(Ink.HIGHLIGHT, 3));
-      edge(context).ifPresent(e -> line(view, points, e.from(), e.to(), pen));
+      edge(context).ifPresent(e -> Pick.line(pen, view, points, e.from(), e.to()));
     }
   }
 
   private void paintProposed(Viewport view, Points points, int vertex, Pen pen) {
     pen.style(Stroke.dashed(Ink.FIXED, 1.8));
     if (vertex != NONE) {
-      line(view, points, from, vertex, pen);
+      Pick.line(pen, view, points, from, vertex);
     } else if (hover != null) {
       pen.line(
           view.screenX(points.x(from)),
@@ -198,13 +198,5 @@ public final class FixTool implements Tool {
           hover.screenX(),
           hover.screenY());
     }
-  }
-
-  private static void line(Viewport view, Points points, int u, int v, Pen pen) {
-    pen.line(
-        view.screenX(points.x(u)),
-        view.screenY(points.y(u)),
-        view.screenX(points.x(v)),
-        view.screenY(points.y(v)));
   }
 }

@@ -182,21 +182,13 @@ public final class FlipTool implements Tool {
     Points points = triangulation.points();
     Optional<Flip> flip = Flip.at(triangulation, edge);
     pen.style(Stroke.solid(flip.isPresent() ? Ink.HIGHLIGHT : Ink.PROPOSED, 3));
-    line(view, points, triangulation.from(edge), triangulation.to(edge), pen);
+    Pick.line(pen, view, points, triangulation.from(edge), triangulation.to(edge));
     if (flip.isPresent()) {
       pen.style(Stroke.dashed(Ink.FLIPPED, 1.6));
-      line(view, points, flip.get().x(), flip.get().y(), pen);
+      Pick.line(pen, view, points, flip.get().x(), flip.get().y());
       double y = hover.screenY();
       double top = y > CAPTION_ABOVE ? y - CAPTION_ABOVE : y + CAPTION_BELOW;
       Caption.paint(pen, hover.screenX() + REACH, top, gain(solution, flip.get()));
     }
-  }
-
-  private static void line(Viewport view, Points points, int from, int to, Pen pen) {
-    pen.line(
-        view.screenX(points.x(from)),
-        view.screenY(points.y(from)),
-        view.screenX(points.x(to)),
-        view.screenY(points.y(to)));
   }
 }

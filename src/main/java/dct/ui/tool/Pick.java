@@ -68,6 +68,15 @@ final class Pick {
     pen.ring(view.screenX(x), view.screenY(y), REACH - 1);
   }
 
+  /** Draws the line between two vertices. */
+  static void line(Pen pen, Viewport view, Points points, int from, int to) {
+    pen.line(
+        view.screenX(points.x(from)),
+        view.screenY(points.y(from)),
+        view.screenX(points.x(to)),
+        view.screenY(points.y(to)));
+  }
+
   /** Measures on the screen, where tiny and huge coordinates are no trouble. */
   private static final class Search implements Scene.EdgeVisitor {
     private final Points points;

@@ -109,11 +109,7 @@ public final class SplitTool implements Tool {
     Viewport view = context.viewport();
     Points points = context.document().points();
     pen.style(Stroke.solid(Ink.HIGHLIGHT, 2.5));
-    pen.line(
-        view.screenX(points.x(edge.from())),
-        view.screenY(points.y(edge.from())),
-        view.screenX(points.x(edge.to())),
-        view.screenY(points.y(edge.to())));
+    Pick.line(pen, view, points, edge.from(), edge.to());
     pen.disc(view.screenX(edge.x()), view.screenY(edge.y()), 4);
   }
 }
