@@ -1,14 +1,11 @@
 package dct.ui.file;
 
-import dct.core.degree.ParityGoal;
-import dct.core.geometry.Points;
 import dct.core.triangulate.Domain;
 import dct.io.FileNames;
 import dct.io.PointDocument;
 import dct.io.PointFile;
 import dct.io.format.Choice;
 import dct.ui.document.Document;
-import dct.ui.document.Layout;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -67,9 +64,9 @@ public final class Samples {
         throw new IllegalStateException("the program lacks its sample " + name);
       }
       PointDocument read = PointFile.read(name, in, Choice.NONE.otherwise(domain(name)));
-      Layout layout = read.rings().map(Layout::of).orElse(Layout.PLAIN);
-      Points points = read.points();
-      return new Document(domain(name), points, layout, ParityGoal.allEven(points.size()));
+      return read.rings()
+          .map(Document::of)
+          .orElseGet(() -> new Document(domain(name), read.points()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

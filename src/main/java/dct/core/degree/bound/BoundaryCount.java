@@ -22,11 +22,7 @@ final class BoundaryCount {
   static Explanation of(int[] boundary, String what) {
     int h = boundary.length;
     int rest = h % 3;
-    List<Mark> marks = new ArrayList<>();
-    for (int k = 0; k < h; k++) {
-      Tone tone = k < h - rest ? THREE[k % 3] : Tone.FAULT;
-      marks.add(new Mark.Vertex(boundary[k], tone, Integer.toString(k % 3 + 1)));
-    }
+    List<Mark> marks = marks(boundary);
     List<String> sentences = new ArrayList<>();
     sentences.add(
         "Suppose every vertex were even. Then the triangles could be coloured black and white so"
@@ -57,5 +53,16 @@ final class BoundaryCount {
             h,
             what);
     return new Explanation(title, sentences, marks);
+  }
+
+  /** The vertices of a ring counted in threes; those that are left over are faults. */
+  static List<Mark> marks(int... ring) {
+    List<Mark> marks = new ArrayList<>();
+    int rest = ring.length % THREE.length;
+    for (int k = 0; k < ring.length; k++) {
+      Tone tone = k < ring.length - rest ? THREE[k % THREE.length] : Tone.FAULT;
+      marks.add(new Mark.Vertex(ring[k], tone, Integer.toString(k % THREE.length + 1)));
+    }
+    return marks;
   }
 }

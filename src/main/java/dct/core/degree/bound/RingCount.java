@@ -2,7 +2,6 @@ package dct.core.degree.bound;
 
 import dct.core.degree.Explanation;
 import dct.core.degree.Mark;
-import dct.core.degree.Mark.Tone;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -13,8 +12,6 @@ import java.util.Locale;
  * no multiple.
  */
 final class RingCount {
-  private static final Tone[] THREE = {Tone.ONE, Tone.TWO, Tone.THREE};
-
   private RingCount() {}
 
   /**
@@ -26,12 +23,8 @@ final class RingCount {
     List<Mark> marks = new ArrayList<>();
     List<Integer> indivisible = new ArrayList<>();
     for (int[] ring : rings) {
-      int rest = ring.length % THREE.length;
-      for (int k = 0; k < ring.length; k++) {
-        Tone tone = k < ring.length - rest ? THREE[k % THREE.length] : Tone.FAULT;
-        marks.add(new Mark.Vertex(ring[k], tone, Integer.toString(k % THREE.length + 1)));
-      }
-      if (rest > 0) {
+      marks.addAll(BoundaryCount.marks(ring));
+      if (ring.length % 3 > 0) {
         indivisible.add(ring.length);
       }
     }
